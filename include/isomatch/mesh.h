@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace isomatch {
+
+using Point = Eigen::Vector3d;
+/// Three vertex indices, 0-based.
+using Face = std::array<int, 3>;
+
+/// An indexed triangle mesh, exactly as it was given: nothing is merged, reordered or dropped, and
+/// it may have any defect that `diagnose` lists.
+struct Mesh {
+  std::vector<Point> vertices;
+  std::vector<Face> faces;
+
+  int num_vertices() const { return static_cast<int>(vertices.size()); }
+  int num_faces() const { return static_cast<int>(faces.size()); }
+};
+
+/// Throws `InvalidInput` if `mesh` has no vertices or faces, an index out of range, or a coordinate
+/// that is not finite. O(N).
+void validate(const Mesh& mesh);
+
+/// Area of face `face`, in squared units of the coordinates.
+double face_area(const Mesh& mesh, int face);
+
+/// Sum of all face areas.
+double surface_area(const Mesh& mesh);
+
+/// A third of the area of the faces around each vertex: N values that sum to `surface_area`.
+std::vector<double> vertex_areas(const Mesh& mesh);
+
+}  // namespace isomatch
