@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "command.h"
+
+namespace isomatch::cli {
+
+void add_run_options(CLI::App& command, Request& request) {
+  command.add_option("--threads", request.threads, "Threads to use")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  command.add_flag("-q,--quiet", request.quiet, "Print no progress");
+}
+
+void set_example(CLI::App& command, const std::string& example) {
+  command.footer("Example:\n  " + example + "\n");
+}
+
+}  // namespace isomatch::cli

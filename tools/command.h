@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "isomatch/context.h"
+
+namespace isomatch::cli {
+
+/// What the command line asked for.
+struct Request {
+  /// Set by the chosen subcommand. Throws on failure; see `run_guarded` for what becomes of that.
+  std::function<void(const Context&)> action;
+  int threads = hardware_threads();
+  bool quiet = false;
+};
+
+/// Each adds one subcommand: its options, an example as footer, and a callback that sets
+/// `request.action`. A new subcommand is a file with such a function, a line here, and a line in
+/// main.cpp. `request` must outlive `app`.
+
+/// Adds `--threads` and `--quiet`, for subcommands that take more than a moment.
+void add_run_options(CLI::App& command, Request& request);
+
+/// Sets `example`, one or more complete command lines, as the end of `command`'s help.
+void set_example(CLI::App& command, const std::string& example);
+
+}  // namespace isomatch::cli

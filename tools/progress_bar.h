@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <chrono>
+#include <string_view>
+
+namespace isomatch::cli {
+
+/// One line on standard error that shows how far the work has come; removed by the destructor.
+/// Prints nothing if standard error is not a terminal or `quiet` is set.
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool quiet);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// Shows `fraction` in [0, 1] and the name of the stage; redraws at most ten times a second.
+  void update(double fraction, std::string_view stage);
+
+ private:
+  bool visible_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point next_draw_;
+};
+
+}  // namespace isomatch::cli
