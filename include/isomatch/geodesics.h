@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,9 @@ class GeodesicGraph {
   };
 
   /// Builds the graph; O(N) with about 6 arcs a vertex for `kEdges`, 24 for W20, 48 for W10.
+  /// and mostly independent of `context.threads`. Strips stop at boundary and non-manifold edges
+  /// and after 64 triangles. No path is shorter than the geodesic, up to rounding of its sum.
+  /// Parallel edges become one arc, the shortest. Throws `InvalidInput` if `mesh` fails `validate`.
   explicit GeodesicGraph(const Mesh& mesh, const GeodesicOptions& options = {},
                          const Context& context = {});
 
@@ -60,7 +64,21 @@ class GeodesicGraph {
   float mean_edge_length_ = 0;
 };
 
+inline constexpr int kNoSource = -1;
+
+/// For each vertex the source that is nearest to it (a Voronoi partition).
+struct SourcePartition {
+  /// Index into the list of sources, `kNoSource` where none is connected. The lower of equally
+  /// near.
+  std::vector<int> nearest;
+  /// Distance to it, infinite where none is connected.
+  std::vector<float> distances;
+};
+
 /// Shortest path searches on one graph, with the scratch memory they share: create one per thread.
+/// Dijkstra's algorithm on a bucket queue. A distance is a sum of floats along a path, source
+/// first, so it is the same to the last bit from every function here; d(a, b) and d(b, a) may
+/// differ by rounding.
 class GeodesicSearch {
  public:
   struct Reached {
@@ -70,9 +88,20 @@ class GeodesicSearch {
 
   /// Keeps a reference to `graph`.
   explicit GeodesicSearch(const GeodesicGraph& graph);
+  ~GeodesicSearch();
+  GeodesicSearch(GeodesicSearch&&) noexcept;
+  GeodesicSearch& operator=(GeodesicSearch&&) noexcept;
 
   /// Distances from `source` to all N vertices into `distances`; infinite where not connected.
   void field(int source, std::span<float> distances);
+
+  /// Lowers `distances` where `source` is closer: from the distances to the nearest of some sources
+  /// (infinite if none) to those with `source` added. Cost grows with the number of vertices that
+  /// change, so farthest point sampling costs O(N log N) in all.
+  void update_field(int source, std::span<float> distances);
+
+  /// The nearest of `sources` and the distance to it for all vertices, in the time of one field.
+  SourcePartition nearest_source(std::span<const int> sources);
 
   /// The vertices within `radius` (inclusive) of `source`, itself included, in order of distance,
   /// ties by index. Cost grows with the ball, not with the mesh. Valid until the next call.
@@ -82,7 +111,13 @@ class GeodesicSearch {
   float distance(int from, int to);
 
  private:
+  struct Queue;
+
+  template <class Lower>
+  void propagate(std::span<const float> distances, const Lower& lower);
+
   const GeodesicGraph* graph_;
+  std::unique_ptr<Queue> queue_;
   std::vector<float> distances_;
   std::vector<Reached> reached_;
 };

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace isomatch {
+
+/// A monotone priority queue of vertices for Dijkstra's algorithm. Entries come out bucket by
+/// bucket, within one bucket in the order they went in, so that a vertex may have to be visited
+/// more than once. A vertex whose key falls is pushed again; its old entry is the caller's to skip.
+class BucketQueue {
+ public:
+  struct Entry {
+    float key;
+    int vertex;
+  };
+
+  /// `width` is that of a bucket, positive.
+  explicit BucketQueue(float width) : inverse_width_(1 / width) {}
+
+  /// `key` must not be below the key that was popped last.
+  void push(float key, int vertex) {
+    const float slot = (key - base_) * inverse_width_;
+    (slot < kBuckets ? buckets_[static_cast<int>(slot)] : far_).push_back({key, vertex});
+  }
+
+  /// Takes out the next entry; false and ready for another search if there is none.
+  bool pop(Entry& entry) {
+    while (next_ == buckets_[current_].size()) {
+      if (!advance()) return false;
+    }
+    entry = buckets_[current_][next_++];
+    return true;
+  }
+
+ private:
+  /// Buckets that are open at a time, 64 mean edge lengths.
+  static constexpr int kBuckets = 256;
+
+  bool advance() {
+    buckets_[current_].clear();
+    next_ = 0;
+    if (++current_ < kBuckets) return true;
+    current_ = 0;
+    base_ = 0;
+    if (far_.empty()) return false;
+    base_ = std::ranges::min(far_, {}, &Entry::key).key;
+    std::swap(far_, scratch_);
+    for (const Entry& entry : scratch_) push(entry.key, entry.vertex);
+    scratch_.clear();
+    return true;
+  }
+
+  float inverse_width_;
+  float base_ = 0;        ///< Where the first bucket starts.
+  int current_ = 0;       ///< The bucket that is being emptied.
+  std::size_t next_ = 0;  ///< Its first entry that was not popped.
+  std::array<std::vector<Entry>, kBuckets> buckets_;
+  std::vector<Entry> far_;  ///< Entries beyond the last bucket.
+  std::vector<Entry> scratch_;
+};
+
+}  // namespace isomatch

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "geodesics/visibility.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace isomatch {
+namespace {
+
+using Eigen::Vector2d;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+float round_up(double length) {
+  const float rounded = static_cast<float>(length);
+  if (rounded >= length) return rounded;
+  return std::nextafter(rounded, std::numeric_limits<float>::infinity());
+}
+
+int corner_of(const Face& face, int vertex) {
+  return static_cast<int>(std::find(face.begin(), face.end(), vertex) - face.begin());
+}
+
+}  // namespace
+
+StripUnfolder::StripUnfolder(const Mesh& mesh, const IndexLists& faces_of_vertex,
+                             const std::vector<std::array<int, 3>>& neighbours, double window_angle)
+    : mesh_(mesh),
+      faces_of_vertex_(faces_of_vertex),
+      neighbours_(neighbours),
+      cos_window_angle_(std::cos(window_angle * std::numbers::pi / 180)) {}
+
+void StripUnfolder::append_arcs(int vertex, std::vector<GeodesicGraph::Arc>& arcs) {
+  for (const int face : faces_of_vertex_[vertex]) {
+    open_window(vertex, face, arcs);
+    while (!stack_.empty()) {
+      const Window window = stack_.back();
+      stack_.pop_back();
+      look_through(window, arcs);
+    }
+  }
+}
+
+void StripUnfolder::open_window(int vertex, int face, std::vector<GeodesicGraph::Arc>& arcs) {
+  const int corner = corner_of(mesh_.faces[face], vertex);
+  const int right = mesh_.faces[face][(corner + 1) % 3];
+  const int left = mesh_.faces[face][(corner + 2) % 3];
+  const Point to_right = mesh_.vertices[right] - mesh_.vertices[vertex];
+  const Point to_left = mesh_.vertices[left] - mesh_.vertices[vertex];
+  const double right_length = to_right.norm(), left_length = to_left.norm();
+  if (right != vertex) arcs.push_back({right, round_up(right_length)});
+  if (left != vertex) arcs.push_back({left, round_up(left_length)});
+  if (!(right_length > 0 && left_length > 0)) return;
+  const Vector2 left_position(to_right.dot(to_left) / right_length,
+                              to_right.cross(to_left).norm() / right_length);
+  push_if_wide({neighbours_[face][corner], 1, right, left, Vector2(right_length, 0), left_position,
+                Vector2(1, 0), left_position / left_length});
+}
+
+void StripUnfolder::push_if_wide(const Window& window) {
+  if (window.face == kNoFace || window.depth > kMaxStripLength) return;
+  if (window.right_ray.dot(window.left_ray) > cos_window_angle_) return;
+  stack_.push_back(window);
+}
+
+void StripUnfolder::look_through(const Window& window, std::vector<GeodesicGraph::Arc>& arcs) {
+  const Face& face = mesh_.faces[window.face];
+  const int right_corner = corner_of(face, window.right);
+  const int left_corner = corner_of(face, window.left);
+  const int apex = face[3 - right_corner - left_corner];
+  if (apex == window.right || apex == window.left) return;
+
+  // Orientation plays no part: the apex is placed on the far side of the edge, wherever it is.
+  const Point edge = mesh_.vertices[window.left] - mesh_.vertices[window.right];
+  const Point side = mesh_.vertices[apex] - mesh_.vertices[window.right];
+  const double squared_length = edge.squaredNorm();
+  if (!(squared_length > 0)) return;
+  const double along = edge.dot(side) / squared_length;
+  const double across = edge.cross(side).norm() / squared_length;
+  const Vector2 flat_edge = window.left_position - window.right_position;
+  const Vector2 position =
+      window.right_position + along * flat_edge + across * Vector2(flat_edge.y(), -flat_edge.x());
+
+  Window right_part = window, left_part = window;
+  right_part.face = neighbours_[window.face][left_corner];
+  left_part.face = neighbours_[window.face][right_corner];
+  ++right_part.depth;
+  ++left_part.depth;
+  right_part.left = left_part.right = apex;
+  right_part.left_position = left_part.right_position = position;
+  const bool right_sees = cross(window.right_ray, position) > 0;
+  const bool left_sees = cross(position, window.left_ray) > 0;
+  if (right_sees && left_sees) {
+    const double length = position.norm();
+    arcs.push_back({apex, round_up(length)});
+    right_part.left_ray = left_part.right_ray = position / length;
+  }
+  if (right_sees) push_if_wide(right_part);
+  if (left_sees) push_if_wide(left_part);
+}
+
+}  // namespace isomatch
