@@ -9,7 +9,9 @@
 
 namespace isomatch {
 
-int hardware_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int hardware_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void Context::report(double fraction, std::string_view stage) const {
   check_stop();

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/mesh.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+
+#include <Eigen/Geometry>
 
 #include "isomatch/error.h"
 

@@ -11,7 +11,8 @@ namespace isomatch {
 /// Number of hardware threads, at least 1.
 int hardware_threads();
 
-/// How a computation runs, as opposed to what it computes: no field of this struct changes a result.
+/// How a computation runs, as opposed to what it computes: no field of this struct changes a
+/// result.
 struct Context {
   /// Threads to use, at least 1.
   int threads = hardware_threads();

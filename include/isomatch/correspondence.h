@@ -14,12 +14,12 @@ struct Match {
   auto operator<=>(const Match&) const = default;
 };
 
-/// A relation between the vertices of two meshes (the paper's xi), in general many-to-many. Sorted by
-/// source, then target, without repetition, unless a function says otherwise.
+/// A relation between the vertices of two meshes (the paper's xi), in general many-to-many. Sorted
+/// by source, then target, without repetition, unless a function says otherwise.
 using Correspondence = std::vector<Match>;
 
-/// A map from every source vertex to a target vertex, `kUnmatched` where there is none. Always named
-/// by its direction, as in `source_to_target`.
+/// A map from every source vertex to a target vertex, `kUnmatched` where there is none. Always
+/// named by its direction, as in `source_to_target`.
 using VertexMap = std::vector<int>;
 inline constexpr int kUnmatched = -1;
 

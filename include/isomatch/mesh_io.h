@@ -25,8 +25,8 @@ struct MeshReadReport {
 Mesh read_mesh(const std::string& path, MeshReadReport* report = nullptr);
 
 /// Writes `mesh` as .off, .obj or .ply (binary little endian, float coordinates as doubles) by the
-/// ending of `path`. The file appears whole or not at all. Coordinates survive a round trip exactly.
-/// Throws `BadFile` if it cannot be written or the ending is unknown.
+/// ending of `path`. The file appears whole or not at all. Coordinates survive a round trip
+/// exactly. Throws `BadFile` if it cannot be written or the ending is unknown.
 void write_mesh(const std::string& path, const Mesh& mesh);
 
 }  // namespace isomatch

@@ -29,8 +29,8 @@ struct Surface {
   int num_vertices() const { return mesh.num_vertices(); }
 };
 
-/// Extracts the matchable surface of `input`, its vertices numbered along a Hilbert curve; ties go to
-/// the lower input index. Throws `InvalidInput` if `input` fails `validate` or has no face of
+/// Extracts the matchable surface of `input`, its vertices numbered along a Hilbert curve; ties go
+/// to the lower input index. Throws `InvalidInput` if `input` fails `validate` or has no face of
 /// positive area. O(N log N).
 Surface extract_surface(const Mesh& input);
 

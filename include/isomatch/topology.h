@@ -13,7 +13,8 @@ namespace isomatch {
 class IndexLists {
  public:
   IndexLists() = default;
-  /// `offsets` has one more entry than there are lists; list i is `values[offsets[i], offsets[i+1])`.
+  /// `offsets` has one more entry than there are lists; list i is `values[offsets[i],
+  /// offsets[i+1])`.
   IndexLists(std::vector<int> offsets, std::vector<int> values)
       : offsets_(std::move(offsets)), values_(std::move(values)) {}
 
@@ -30,13 +31,13 @@ class IndexLists {
 /// The faces around each vertex, in ascending order. O(N).
 IndexLists vertex_faces(const Mesh& mesh);
 
-/// For each face, the face across the edge opposite corner 0, 1 and 2. `kNoFace` where the edge is a
-/// boundary or belongs to more than two faces. Orientation plays no part. O(N log N).
+/// For each face, the face across the edge opposite corner 0, 1 and 2. `kNoFace` where the edge is
+/// a boundary or belongs to more than two faces. Orientation plays no part. O(N log N).
 inline constexpr int kNoFace = -1;
 std::vector<std::array<int, 3>> face_neighbours(const Mesh& mesh);
 
-/// Component label of each vertex, numbered from 0 in the order of their lowest vertex. Vertices are
-/// connected if they share a face; an unreferenced vertex is a component of its own. O(N).
+/// Component label of each vertex, numbered from 0 in the order of their lowest vertex. Vertices
+/// are connected if they share a face; an unreferenced vertex is a component of its own. O(N).
 std::vector<int> vertex_components(const Mesh& mesh);
 
 }  // namespace isomatch

@@ -1,0 +1,28 @@
+#!/bin/bash
+# Checks the sources' formatting, or runs clang-tidy on them, which needs a built preset.
+# Usage: scripts/lint.sh format | scripts/lint.sh tidy PRESET
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+folders=()
+for folder in include src baselines tools bench examples tests; do
+  [ ! -d "$folder" ] || folders+=("$folder")
+done
+
+case ${1:-} in
+  format)
+    find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort |
+      xargs clang-format --dry-run -Werror
+    ;;
+  tidy)
+    # Headers are checked with the sources that include them. The count of suppressed warnings from
+    # system headers is noise.
+    find "${folders[@]}" -name '*.cpp' | sort |
+      xargs --max-args=1 --max-procs="$(nproc)" clang-tidy --quiet -p "build/$2" \
+        2> >(grep --invert-match 'warnings\? generated' >&2)
+    ;;
+  *)
+    echo "usage: scripts/lint.sh format | tidy PRESET" >&2
+    exit 2
+    ;;
+esac
