@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/mesh_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+
+#include "isomatch/error.h"
+#include "mesh_io/formats.h"
+#include "text_cursor.h"
+
+namespace isomatch {
+namespace {
+
+struct Format {
+  std::string_view ending;
+  mesh_io::ReadResult (*read)(const InputFile&);
+  /// Null where there is no writer.
+  void (*write)(const Mesh&, AtomicFile&);
+};
+
+constexpr std::array<Format, 4> kFormats = {{{".off", mesh_io::read_off, mesh_io::write_off},
+                                             {".obj", mesh_io::read_obj, mesh_io::write_obj},
+                                             {".ply", mesh_io::read_ply, mesh_io::write_ply},
+                                             {".stl", mesh_io::read_stl, nullptr}}};
+
+const Format& format_of(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  for (const Format& format : kFormats)
+    if (equal_ignoring_case(format.ending, ending)) return format;
+  throw BadFile(path, fmt::format("the ending {} is not that of a mesh file: .off .obj .ply .stl",
+                                  in_quotes(ending)));
+}
+
+void check_size(const Mesh& mesh, const InputFile& file) {
+  constexpr std::size_t kMost = std::numeric_limits<int>::max();
+  if (mesh.vertices.empty()) file.fail("the mesh has no vertices");
+  if (mesh.faces.empty()) file.fail("the mesh has no faces");
+  if (std::max(mesh.vertices.size(), mesh.faces.size()) > kMost)
+    file.fail("the mesh has more vertices or triangles than this program can number");
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::string& path, MeshReadReport* report) {
+  // A file that is missing is told as such, whatever its name.
+  const InputFile file(path);
+  const Format& format = format_of(path);
+  mesh_io::ReadResult result = format.read(file);
+  check_size(result.mesh, file);
+  if (report) *report = result.report;
+  return std::move(result.mesh);
+}
+
+void write_mesh(const std::string& path, const Mesh& mesh) {
+  const Format& format = format_of(path);
+  if (!format.write) throw BadFile(path, "STL files are only read; write .off, .obj or .ply");
+  validate(mesh);
+  AtomicFile file(path);
+  format.write(mesh, file);
+  file.commit();
+}
+
+}  // namespace isomatch

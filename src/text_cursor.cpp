@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "text_cursor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace isomatch {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+/// std::from_chars knows no plus sign.
+const char* skip_plus(const char* first, const char* last) {
+  const bool plus = last - first > 1 && first[0] == '+' && first[1] != '-';
+  return plus ? first + 1 : first;
+}
+
+/// Of a number that no double can hold: whether it is too small rather than too large.
+bool is_tiny(std::string_view number) {
+  const std::size_t exponent = number.find_first_of("eE");
+  if (exponent != std::string_view::npos) return number[exponent + 1] == '-';
+  return number.find_first_of("123456789") > number.find('.');
+}
+
+}  // namespace
+
+TextCursor::TextCursor(const InputFile& file, TextDialect dialect)
+    : file_(&file), dialect_(dialect), position_(file.begin()), end_(file.end()) {
+  if (file.content().starts_with(kByteOrderMark)) position_ += kByteOrderMark.size();
+}
+
+bool TextCursor::find_content() {
+  while (at_line_end()) {
+    if (position_ == end_) return false;
+    skip_line();
+  }
+  return true;
+}
+
+bool TextCursor::at_line_end() {
+  skip_blanks();
+  return position_ == end_ || is_line_end(*position_) || (dialect_.comments && *position_ == '#');
+}
+
+void TextCursor::skip_line() {
+  bool in_comment = false;
+  while (position_ != end_ && !is_line_end(*position_)) {
+    in_comment |= dialect_.comments && *position_ == '#';
+    if (!in_comment && at_continuation(position_))
+      skip_blanks();
+    else
+      ++position_;
+  }
+  if (position_ == end_) return;
+  const bool two = position_[0] == '\r' && position_ + 1 != end_ && position_[1] == '\n';
+  position_ += two ? 2 : 1;
+}
+
+void TextCursor::expect_line_end() {
+  if (!at_line_end())
+    fail(fmt::format("expected the end of the line, found {}", in_quotes(word())));
+}
+
+std::string_view TextCursor::word() {
+  const std::string_view result = peek_word();
+  position_ += result.size();
+  return result;
+}
+
+std::string_view TextCursor::peek_word() {
+  if (at_line_end()) return {};
+  return {position_, word_end()};
+}
+
+double TextCursor::number() {
+  skip_blanks();
+  double value = 0;
+  const auto [last, error] = std::from_chars(skip_plus(position_, end_), end_, value);
+  if (error == std::errc::invalid_argument || !ends_word(last)) fail_number("a number");
+  if (error == std::errc::result_out_of_range) {
+    if (!is_tiny({position_, last})) fail_number("a number that fits a double");
+    value = 0;
+  }
+  if (!std::isfinite(value)) fail_number("a finite number");
+  position_ = last;
+  return value;
+}
+
+std::int64_t TextCursor::integer() {
+  const auto [value, last] = parse_integer();
+  if (!ends_word(last)) fail_number("an integer");
+  position_ = last;
+  return value;
+}
+
+std::int64_t TextCursor::leading_integer(char separator) {
+  const auto [value, last] = parse_integer();
+  if (!ends_word(last) && *last != separator) fail_number("an integer");
+  position_ = word_end();
+  return value;
+}
+
+TextCursor::ParsedInteger TextCursor::parse_integer() {
+  skip_blanks();
+  std::int64_t value = 0;
+  const auto [last, error] = std::from_chars(skip_plus(position_, end_), end_, value);
+  if (error == std::errc::invalid_argument) fail_number("an integer");
+  if (error == std::errc::result_out_of_range) fail_number("an integer of at most 64 bits");
+  return {value, last};
+}
+
+void TextCursor::skip_blanks() {
+  while (position_ != end_) {
+    if (is_blank(*position_)) {
+      ++position_;
+    } else if (at_continuation(position_)) {
+      position_ += position_[1] == '\r' && position_ + 2 != end_ && position_[2] == '\n' ? 3 : 2;
+    } else {
+      return;
+    }
+  }
+}
+
+bool TextCursor::at_continuation(const char* at) const {
+  return dialect_.continuations && end_ - at > 1 && at[0] == '\\' && is_line_end(at[1]);
+}
+
+bool TextCursor::ends_word(const char* at) const {
+  return at == end_ || is_blank(*at) || is_line_end(*at) || (dialect_.comments && *at == '#') ||
+         at_continuation(at);
+}
+
+const char* TextCursor::word_end() const {
+  const char* at = position_;
+  while (!ends_word(at)) ++at;
+  return at;
+}
+
+void TextCursor::fail_number(std::string_view expected) const {
+  const std::string_view found(position_, word_end());
+  if (found.empty()) fail(fmt::format("expected {}, but the line ends", expected));
+  fail(fmt::format("expected {}, found {}", expected, in_quotes(found)));
+}
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+}  // namespace isomatch
