@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <array>
+#include <compare>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "isomatch/mesh.h"
@@ -27,6 +30,35 @@ class IndexLists {
   std::vector<int> offsets_{0};
   std::vector<int> values_;
 };
+
+bool has_repeated_vertex(const Face& face);
+
+/// One face's side of an edge: the edge's ends in ascending order, the face, and the corner of the
+/// face that is opposite the edge.
+struct EdgeSide {
+  int low, high;
+  int face, corner;
+
+  bool same_edge(const EdgeSide& other) const { return low == other.low && high == other.high; }
+  auto operator<=>(const EdgeSide&) const = default;
+};
+
+/// The sides of all edges in ascending order, so that the sides of one edge are adjacent. Faces
+/// with a repeated vertex have none. O(N log N) at worst, O(N) as a rule.
+std::vector<EdgeSide> sorted_edge_sides(const Mesh& mesh);
+
+/// Calls `visit` with the `std::span<const Side>` of each edge: runs of sides of which `same_edge`
+/// holds, in the order of `sorted_sides` (a contiguous range).
+template <class Sides, class Visit>
+void for_each_edge(const Sides& sorted_sides, const Visit& visit) {
+  const std::span sides(sorted_sides);
+  for (std::size_t first = 0; first < sides.size();) {
+    std::size_t last = first + 1;
+    while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
+    visit(sides.subspan(first, last - first));
+    first = last;
+  }
+}
 
 /// The faces around each vertex, in ascending order. O(N).
 IndexLists vertex_faces(const Mesh& mesh);
