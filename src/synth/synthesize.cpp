@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "isomatch/error.h"
+#include "isomatch/synth.h"
+#include "random.h"
+#include "synth/creature.h"
+#include "synth/ground_truth.h"
+#include "synth/pose.h"
+#include "synth/skin.h"
+
+namespace isomatch {
+namespace {
+
+using namespace synth;
+
+/// Purposes of random numbers, one stream each.
+enum Stream : std::uint64_t { kShapeStream, kTemplateStream, kPoseStream, kMeshStream };
+
+/// Within 2 % of the wanted number, rounding included.
+int vertex_count(const SynthOptions& options, Random& random) {
+  const int slack = options.vertices * 3 / 200;
+  return options.vertices - slack + random.below(2 * slack + 1);
+}
+
+Pose make_pose(const Body& body, const SynthOptions& options) {
+  if (options.pose == 0) return Pose(body);
+  Random random{kPoseStream, options.seed, static_cast<std::uint64_t>(options.pose)};
+  return Pose(body, random);
+}
+
+Skin make_template(const Body& body, const SynthOptions& options, const Context& context) {
+  Random random{kTemplateStream, options.seed};
+  return mesh_skin(body, Pose(body), kSynthTemplatePoints, random, context);
+}
+
+/// Puts vertices and faces in random order and starts each face at a random corner.
+Skin shuffled(const Skin& skin, Random& random) {
+  std::vector<int> order(skin.rest.size());
+  std::iota(order.begin(), order.end(), 0);
+  random.shuffle(order);
+  Skin result{skin.faces, std::vector<Point>(order.size()), std::vector<Point>(order.size())};
+  for (std::size_t v = 0; v < order.size(); ++v) {
+    result.posed[order[v]] = skin.posed[v];
+    result.rest[order[v]] = skin.rest[v];
+  }
+  for (Face& face : result.faces) {
+    for (int& v : face) v = order[v];
+    std::rotate(face.begin(), face.begin() + random.below(3), face.end());
+  }
+  random.shuffle(result.faces);
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> synth_shapes() { return {"creature"}; }
+
+void SynthOptions::validate() const {
+  const std::vector<std::string> shapes = synth_shapes();
+  if (std::find(shapes.begin(), shapes.end(), shape) == shapes.end())
+    throw InvalidInput(
+        fmt::format("unknown shape '{}', known: {}", shape, fmt::join(shapes, ", ")));
+  if (vertices < 500 || vertices > 4'000'000)
+    throw InvalidInput(fmt::format("vertices must be in [500, 4000000], not {}", vertices));
+  if (pose < 0) throw InvalidInput(fmt::format("pose must be at least 0, not {}", pose));
+}
+
+SynthShape synthesize(const SynthOptions& options, const Context& context) {
+  options.validate();
+  Random shape_random{kShapeStream, options.seed};
+  const Body body = make_creature(shape_random);
+  const Pose pose = make_pose(body, options);
+
+  Random random{kMeshStream, options.seed, static_cast<std::uint64_t>(options.pose),
+                static_cast<std::uint64_t>(options.vertices)};
+  const int vertices = vertex_count(options, random);
+  Skin skin = shuffled(mesh_skin(body, pose, vertices, random, context), random);
+
+  const std::vector<Point> points = make_template(body, options, context).rest;
+  const SurfaceLookup lookup(body, skin.rest, context);
+  SynthShape result;
+  result.ground_truth = lookup.nearest(points);
+  std::vector<Point> images(points.size());
+  std::transform(points.begin(), points.end(), images.begin(), mirrored);
+  result.symmetric_ground_truth = lookup.nearest(images);
+  result.mesh = {std::move(skin.posed), std::move(skin.faces)};
+  result.rest = std::move(skin.rest);
+  return result;
+}
+
+}  // namespace isomatch
