@@ -23,4 +23,7 @@ using Correspondence = std::vector<Match>;
 using VertexMap = std::vector<int>;
 inline constexpr int kUnmatched = -1;
 
+/// The matches of a map.
+Correspondence to_correspondence(const VertexMap& source_to_target);
+
 }  // namespace isomatch

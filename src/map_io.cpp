@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/map_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "input_file.h"
+#include "isomatch/atomic_file.h"
+#include "isomatch/error.h"
+#include "text_cursor.h"
+
+namespace isomatch {
+namespace {
+
+/// One shape's vertices as a file numbers them.
+struct VertexRange {
+  std::string_view shape;
+  int count;
+  int first;
+};
+
+VertexRange source_range(VertexCounts counts, Numbering numbering) {
+  return {"source", counts.source, static_cast<int>(numbering)};
+}
+
+VertexRange target_range(VertexCounts counts, Numbering numbering) {
+  return {"target", counts.target, static_cast<int>(numbering)};
+}
+
+[[noreturn]] void fail_out_of_range(const TextCursor& cursor, std::int64_t number,
+                                    const VertexRange& range) {
+  cursor.fail(fmt::format("vertex {} is out of range: the {} has {} vertices, numbered from {}",
+                          number, range.shape, range.count, range.first));
+}
+
+/// The next word as a 0-based vertex; `kUnmatched` only if `may_be_unmatched`.
+int read_vertex(TextCursor& cursor, const VertexRange& range, bool may_be_unmatched) {
+  const TextCursor before = cursor;
+  const std::int64_t number = cursor.integer();
+  const std::int64_t lowest = range.first - (may_be_unmatched ? 1 : 0);
+  if (number < lowest || number >= std::int64_t{range.first} + range.count)
+    fail_out_of_range(before, number, range);
+  return static_cast<int>(number - range.first);
+}
+
+VertexMap read_map_lines(const InputFile& file, VertexCounts counts, Numbering numbering) {
+  const VertexRange targets = target_range(counts, numbering);
+  VertexMap source_to_target;
+  TextCursor cursor(file);
+  while (cursor.find_content()) {
+    source_to_target.push_back(read_vertex(cursor, targets, true));
+    cursor.expect_line_end();
+  }
+  if (std::ssize(source_to_target) != counts.source)
+    file.fail(fmt::format("the map has {} lines, but the source has {} vertices",
+                          source_to_target.size(), counts.source));
+  return source_to_target;
+}
+
+Correspondence read_pair_lines(const InputFile& file, VertexCounts counts, Numbering numbering) {
+  const VertexRange sources = source_range(counts, numbering);
+  const VertexRange targets = target_range(counts, numbering);
+  Correspondence matches;
+  TextCursor cursor(file);
+  while (cursor.find_content()) {
+    const int source = read_vertex(cursor, sources, false);
+    matches.push_back({source, read_vertex(cursor, targets, false)});
+    cursor.skip_line();
+  }
+  std::sort(matches.begin(), matches.end());
+  matches.erase(std::unique(matches.begin(), matches.end()), matches.end());
+  return matches;
+}
+
+bool first_line_has_two_words(const InputFile& file) {
+  TextCursor cursor(file);
+  if (!cursor.find_content()) file.fail("no vertices in it");
+  cursor.word();
+  return !cursor.at_line_end();
+}
+
+template <class Formatter>
+void write_lines(const std::string& path, std::size_t count, const Formatter& append_line) {
+  AtomicFile file(path);
+  fmt::memory_buffer line;
+  for (std::size_t i = 0; i < count; ++i) {
+    line.clear();
+    append_line(std::back_inserter(line), i);
+    file.write({line.data(), line.size()});
+  }
+  file.commit();
+}
+
+}  // namespace
+
+Correspondence read_correspondence(const std::string& path, VertexCounts counts,
+                                   Numbering numbering) {
+  const InputFile file(path);
+  if (first_line_has_two_words(file)) return read_pair_lines(file, counts, numbering);
+  return to_correspondence(read_map_lines(file, counts, numbering));
+}
+
+VertexMap read_source_to_target(const std::string& path, VertexCounts counts, Numbering numbering) {
+  return read_map_lines(InputFile(path), counts, numbering);
+}
+
+std::vector<int> read_vts(const std::string& path, int num_vertices) {
+  const InputFile file(path);
+  const VertexRange range{"shape", num_vertices, 1};
+  std::vector<int> vertices;
+  TextCursor cursor(file);
+  while (cursor.find_content()) {
+    vertices.push_back(read_vertex(cursor, range, false));
+    cursor.expect_line_end();
+  }
+  if (vertices.empty()) file.fail("no vertices in it");
+  return vertices;
+}
+
+void write_source_to_target(const std::string& path, const VertexMap& source_to_target) {
+  write_lines(path, source_to_target.size(),
+              [&](auto out, std::size_t i) { fmt::format_to(out, "{}\n", source_to_target[i]); });
+}
+
+void write_correspondence(const std::string& path, const Correspondence& correspondence,
+                          std::span<const double> d_iso) {
+  if (!d_iso.empty() && d_iso.size() != correspondence.size())
+    throw InvalidInput("write_correspondence needs a distortion for every match or none");
+  write_lines(path, correspondence.size(), [&](auto out, std::size_t i) {
+    const auto [source, target] = correspondence[i];
+    if (d_iso.empty())
+      fmt::format_to(out, "{} {}\n", source, target);
+    else
+      fmt::format_to(out, "{} {} {}\n", source, target, d_iso[i]);
+  });
+}
+
+void write_vts(const std::string& path, const std::vector<int>& vertices) {
+  write_lines(path, vertices.size(),
+              [&](auto out, std::size_t i) { fmt::format_to(out, "{}\n", vertices[i] + 1); });
+}
+
+}  // namespace isomatch
