@@ -5,47 +5,48 @@
 #include <string>
 #include <vector>
 
+#include "isomatch/connectivity.h"
 #include "isomatch/mesh.h"
 
 namespace isomatch {
 
-/// What a mesh is made of and what is unusual about it. Counts refer to the mesh as given, except
-/// where noted.
+/// What a mesh is made of, what is unusual about it, and what matching makes of it.
 struct MeshDiagnosis {
+  // The mesh as given.
   int vertices = 0;
   int faces = 0;
   double area = 0;
-  /// Connected components that have a face, seams of coinciding vertices left open.
-  int components = 0;
+  /// Faces with a repeated vertex or an area that is zero up to the rounding of the coordinates.
   int degenerate_faces = 0;
+  /// Faces with the same three vertices as a face of lower index that is not degenerate.
   int duplicate_faces = 0;
+  /// Vertices that no face names.
   int unreferenced_vertices = 0;
   /// Vertices whose position equals that of a vertex with a lower index.
   int duplicate_vertices = 0;
-  int boundary_edges = 0;
-  int boundary_loops = 0;
-  /// Edges of more than two faces.
-  int nonmanifold_edges = 0;
-  /// Vertices whose faces form more than one fan.
-  int nonmanifold_vertices = 0;
-  /// Edges whose two faces traverse it in the same direction.
-  int inconsistent_edges = 0;
-  /// True if the faces of the largest component can be oriented consistently.
-  bool orientable = true;
-  /// V - E + F of the largest component's surface (see `Surface`).
-  int euler_characteristic = 0;
-  /// Genus of the largest component if it is orientable and manifold, otherwise -1.
-  int genus = -1;
-  /// Of the surface that matching uses (see `Surface`): vertices, share of the area.
+  /// Its connectivity without degenerate and duplicate faces, seams of split vertices left open.
+  Connectivity given;
+
+  // The surface that matching works on (see `Surface`); all zero if no face has an area.
+  Connectivity surface;
+  /// Components after joining seams; all but the largest stay unmatched.
+  int components = 0;
+  /// Pairs of boundary edges joined, over all components.
+  int joined_edges = 0;
+  /// Input vertices that are part of the surface, each copy at a seam counted.
   int matchable_vertices = 0;
+  /// Area of the surface over that of all components together.
   double matchable_area_share = 0;
+  /// Lengths of its edges, in units of the coordinates.
   double min_edge = 0, mean_edge = 0, max_edge = 0;
 
-  /// One plain sentence for each defect that matching has to work around; empty for a clean mesh.
+  /// One plain sentence for each defect that matching has to work around; empty for a closed, sound
+  /// mesh in one piece.
   std::vector<std::string> warnings() const;
 };
 
-/// Inspects `mesh`. Throws `InvalidInput` if it fails `validate`. O(N log N).
+/// Inspects `mesh`. Agrees with `extract_surface`, which it uses. Throws `InvalidInput` if `mesh`
+/// fails `validate`. O(N log N).
 MeshDiagnosis diagnose(const Mesh& mesh);
 
 }  // namespace isomatch

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "runs.h"
+
 namespace isomatch {
 namespace {
 
@@ -17,23 +19,20 @@ using Cell = std::array<std::uint32_t, 3>;
 /// Turns the coordinates of a cell into its place on the curve, bit-transposed: Skilling,
 /// "Programming the Hilbert curve", AIP Conference Proceedings 707, 2004.
 Cell transposed_place(Cell cell) {
-  for (std::uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1) {
+  // Written without branches, of which half would be mispredicted.
+  for (int i = kBits - 1; i > 0; --i) {
+    const std::uint32_t lower_bits = (1u << i) - 1;
     for (std::uint32_t& x : cell) {
-      const std::uint32_t swapped = (cell[0] ^ x) & (bit - 1);
-      if (x & bit) {
-        cell[0] ^= bit - 1;
-      } else {
-        cell[0] ^= swapped;
-        x ^= swapped;
-      }
+      const std::uint32_t invert = -(x >> i & 1) & lower_bits;
+      const std::uint32_t exchange = (cell[0] ^ x) & (lower_bits ^ invert);
+      cell[0] ^= invert | exchange;
+      x ^= exchange;
     }
   }
   cell[1] ^= cell[0];
   cell[2] ^= cell[1];
   std::uint32_t flips = 0;
-  for (std::uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1) {
-    if (cell[2] & bit) flips ^= bit - 1;
-  }
+  for (int i = kBits - 1; i > 0; --i) flips ^= -(cell[2] >> i & 1) & ((1u << i) - 1);
   for (std::uint32_t& x : cell) x ^= flips;
   return cell;
 }
@@ -52,10 +51,7 @@ std::uint64_t curve_key(const Cell& cell) {
   return spread(place[0]) << 2 | spread(place[1]) << 1 | spread(place[2]);
 }
 
-}  // namespace
-
-std::vector<int> hilbert_order(std::span<const Point> points) {
-  if (points.empty()) return {};
+std::vector<std::pair<std::uint64_t, int>> curve_keys(std::span<const Point> points) {
   Eigen::Array3d low = points[0], high = points[0];
   for (const Point& p : points) {
     low = low.min(p.array());
@@ -70,9 +66,28 @@ std::vector<int> hilbert_order(std::span<const Point> points) {
     for (int axis = 0; axis < 3; ++axis) cell[axis] = static_cast<std::uint32_t>(place[axis]);
     keys[i] = {curve_key(cell), static_cast<int>(i)};
   }
-  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+void sort_by_coordinates(std::span<const Point> points, std::span<int> order) {
+  std::ranges::stable_sort(order, [&](int a, int b) {
+    return std::ranges::lexicographical_compare(points[a], points[b]);
+  });
+}
+
+}  // namespace
+
+std::vector<int> hilbert_order(std::span<const Point> points) {
+  if (points.empty()) return {};
+  std::vector<std::pair<std::uint64_t, int>> keys = curve_keys(points);
+  std::ranges::sort(keys);
   std::vector<int> order(points.size());
   std::ranges::transform(keys, order.begin(), [](const auto& key) { return key.second; });
+  const auto same_cell = [&](int a, int b) { return keys[a].first == keys[b].first; };
+  for_each_run(static_cast<int>(keys.size()), same_cell, [&](int first, int last) {
+    if (last - first > 1)
+      sort_by_coordinates(points, std::span(order).subspan(first, last - first));
+  });
   return order;
 }
 

@@ -10,7 +10,8 @@
 namespace isomatch {
 
 /// The indices of `points` in the order in which a Hilbert curve through their bounding cube, of
-/// 2^21 cells a side, meets them; ties go to the lower index. O(N log N).
+/// 2^21 cells a side, meets them. Points of one cell are sorted by coordinates, so that coinciding
+/// points are adjacent, then by index. O(N log N).
 std::vector<int> hilbert_order(std::span<const Point> points);
 
 }  // namespace isomatch

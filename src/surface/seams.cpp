@@ -41,32 +41,16 @@ std::vector<EdgeSide> boundary_sides(std::span<const EdgeSide> sides) {
   return boundary;
 }
 
-/// Numbers the distinct positions of the corners of the faces of `sides`; 0 for other vertices.
-std::vector<int> number_positions(const Mesh& mesh, std::span<const EdgeSide> sides) {
-  struct Placed {
-    std::array<double, 3> position;
-    int vertex;
-  };
+/// The same number for vertices at the same position.
+std::vector<int> number_positions(const Mesh& mesh) {
   std::vector<int> place(mesh.vertices.size(), 0);
-  std::vector<Placed> placed;
-  for (const EdgeSide& side : sides) {
-    for (int v : mesh.faces[side.face]) {
-      const Point& p = mesh.vertices[v];
-      if (std::exchange(place[v], 1) == 0) placed.push_back({{p.x(), p.y(), p.z()}, v});
-    }
-  }
-  const auto position = &Placed::position;
-  std::ranges::sort(placed, {}, position);
-  int number = 0;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    if (i > 0 && placed[i].position != placed[i - 1].position) ++number;
-    place[placed[i].vertex] = number;
-  }
+  for (int v = 1; v < mesh.num_vertices(); ++v)
+    place[v] = place[v - 1] + (mesh.vertices[v] != mesh.vertices[v - 1]);
   return place;
 }
 
 std::vector<PlacedEdge> placed_edges(const Mesh& mesh, std::span<const EdgeSide> boundary) {
-  const std::vector<int> place = number_positions(mesh, boundary);
+  const std::vector<int> place = number_positions(mesh);
   const std::vector<int> component = vertex_components(mesh);
   return bucket_sorted<PlacedEdge>(mesh.num_vertices(), [&](const auto& sink) {
     for (const EdgeSide& side : boundary) {

@@ -17,7 +17,7 @@ struct Seams {
 };
 
 /// Joins boundary edges pairwise where the positions of their ends are equal. `mesh` has neither
-/// degenerate nor duplicate faces.
+/// degenerate nor duplicate faces, and its coinciding vertices are adjacent (see `SoundMesh`).
 ///
 /// Two edges do not join if their faces coincide, as those of a sheet and its copy do. Where more
 /// than two boundary edges coincide, they stay open, except that coinciding faces count once and

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "isomatch/error.h"
 #include "isomatch/topology.h"
-#include "surface/hilbert.h"
+#include "runs.h"
+#include "surface/largest_surface.h"
 #include "surface/seams.h"
-#include "surface/sorted_faces.h"
-#include "surface/sound_faces.h"
+#include "surface/sound_mesh.h"
 
 namespace isomatch {
 namespace {
@@ -23,10 +24,11 @@ void apply(const Seams& seams, Mesh& mesh) {
 }
 
 /// The faces of the component of largest area, ascending; fills in the figures about components.
-std::vector<int> largest_component(const Mesh& mesh, Surface& surface) {
-  const std::vector<int> label = vertex_components(mesh);
-  std::vector<double> areas(mesh.vertices.size(), 0.0);
-  for (int f = 0; f < mesh.num_faces(); ++f) areas[label[mesh.faces[f][0]]] += face_area(mesh, f);
+std::vector<int> largest_component(const SoundMesh& sound, Surface& surface) {
+  const std::vector<int> label = vertex_components(sound.mesh);
+  std::vector<double> areas(sound.mesh.vertices.size(), 0.0);
+  const auto component = [&](int face) { return label[sound.mesh.faces[face][0]]; };
+  for (int f = 0; f < sound.mesh.num_faces(); ++f) areas[component(f)] += sound.face_areas[f];
   const auto largest = std::ranges::max_element(areas);
   surface.components =
       static_cast<int>(std::ranges::count_if(areas, [](double a) { return a > 0; }));
@@ -34,54 +36,60 @@ std::vector<int> largest_component(const Mesh& mesh, Surface& surface) {
   surface.total_area = std::accumulate(areas.begin(), areas.end(), 0.0);
 
   std::vector<int> faces;
-  for (int f = 0; f < mesh.num_faces(); ++f) {
-    if (label[mesh.faces[f][0]] == largest - areas.begin()) faces.push_back(f);
+  for (int f = 0; f < sound.mesh.num_faces(); ++f) {
+    if (component(f) == largest - areas.begin()) faces.push_back(f);
   }
   return faces;
 }
 
-/// Numbers the vertices of `faces` along a Hilbert curve.
-void take_vertices(const Mesh& mesh, std::span<const int> faces, Surface& surface) {
-  surface.surface_vertex.assign(mesh.vertices.size(), kNoVertex);
+/// Moves `faces` and their vertices into `surface`, closing the gaps. Returns the surface vertex of
+/// each vertex of `sound`.
+std::vector<int> take(const SoundMesh& sound, std::span<const int> faces, Surface& surface) {
+  std::vector<int> number(sound.mesh.vertices.size(), kNoVertex);
   for (int f : faces) {
-    for (int v : mesh.faces[f]) surface.surface_vertex[v] = 0;
+    for (int v : sound.mesh.faces[f]) number[v] = 0;
   }
-  std::vector<int> used;
-  std::vector<Point> points;
-  for (int v = 0; v < mesh.num_vertices(); ++v) {
-    if (surface.surface_vertex[v] == kNoVertex) continue;
-    used.push_back(v);
-    points.push_back(mesh.vertices[v]);
+  for (int v = 0; v < sound.mesh.num_vertices(); ++v) {
+    if (number[v] == kNoVertex) continue;
+    number[v] = surface.mesh.num_vertices();
+    surface.mesh.vertices.push_back(sound.mesh.vertices[v]);
+    surface.input_vertex.push_back(sound.input_vertex[v]);
   }
-  for (int i : hilbert_order(points)) {
-    surface.surface_vertex[used[i]] = surface.mesh.num_vertices();
-    surface.mesh.vertices.push_back(points[i]);
-    surface.input_vertex.push_back(used[i]);
-  }
-}
-
-/// Takes `faces` over in the new vertex numbers, those near each other in memory that share
-/// vertices.
-void take_faces(const SoundFaces& sound, std::span<const int> faces, Surface& surface) {
-  Mesh renumbered{surface.mesh.vertices, {}};
-  renumbered.faces.reserve(faces.size());
   for (int f : faces) {
     const auto& [a, b, c] = sound.mesh.faces[f];
-    const auto& number = surface.surface_vertex;
-    renumbered.faces.push_back({number[a], number[b], number[c]});
+    surface.mesh.faces.push_back({number[a], number[b], number[c]});
+    surface.input_face.push_back(sound.input_face[f]);
   }
-  for (const SortedFace& sorted : sorted_faces(renumbered)) {
-    surface.mesh.faces.push_back(renumbered.faces[sorted.face]);
-    surface.input_face.push_back(sound.input_face[faces[sorted.face]]);
+  return number;
+}
+
+std::vector<char> vertices_with_faces(const Mesh& mesh) {
+  std::vector<char> has_face(mesh.vertices.size(), 0);
+  for (const Face& face : mesh.faces) {
+    for (int v : face) has_face[v] = 1;
   }
+  return has_face;
+}
+
+/// Gives vertices without a face, such as the spare copies that modelling programs leave at the
+/// poles of a sphere, the number of the first coinciding vertex that has one.
+void adopt_loose_vertices(const Mesh& mesh, std::span<const char> has_face,
+                          std::vector<int>& number) {
+  const auto coincide = [&](int a, int b) { return mesh.vertices[a] == mesh.vertices[b]; };
+  for_each_run(mesh.num_vertices(), coincide, [&](int first, int last) {
+    const auto run = std::span(number).subspan(first, last - first);
+    const auto taken = std::ranges::find_if(run, [](int n) { return n != kNoVertex; });
+    if (taken == run.end()) return;
+    for (int v = first; v < last; ++v) {
+      if (!has_face[v]) number[v] = *taken;
+    }
+  });
 }
 
 }  // namespace
 
-Surface extract_surface(const Mesh& input) {
-  validate(input);
-  SoundFaces sound = sound_faces(input);
-  if (sound.input_face.empty()) throw InvalidInput("the mesh has no face of positive area");
+Surface largest_surface(SoundMesh sound) {
+  const std::vector<char> has_face = vertices_with_faces(sound.mesh);
   const Seams seams = join_seams(sound.mesh);
   apply(seams, sound.mesh);
 
@@ -89,12 +97,20 @@ Surface extract_surface(const Mesh& input) {
   surface.degenerate_faces = sound.degenerate_faces;
   surface.duplicate_faces = sound.duplicate_faces;
   surface.joined_edges = seams.joined_edges;
-  const std::vector<int> faces = largest_component(sound.mesh, surface);
-  take_vertices(sound.mesh, faces, surface);
-  take_faces(sound, faces, surface);
-  for (int v = 0; v < input.num_vertices(); ++v)
-    surface.surface_vertex[v] = surface.surface_vertex[seams.joined_vertex[v]];
+  std::vector<int> number = take(sound, largest_component(sound, surface), surface);
+  for (std::size_t v = 0; v < number.size(); ++v) number[v] = number[seams.joined_vertex[v]];
+  adopt_loose_vertices(sound.mesh, has_face, number);
+  surface.surface_vertex.resize(number.size());
+  for (std::size_t v = 0; v < number.size(); ++v)
+    surface.surface_vertex[sound.input_vertex[v]] = number[v];
   return surface;
+}
+
+Surface extract_surface(const Mesh& input) {
+  validate(input);
+  SoundMesh sound = sound_mesh(input);
+  if (sound.mesh.faces.empty()) throw InvalidInput("the mesh has no face of positive area");
+  return largest_surface(std::move(sound));
 }
 
 }  // namespace isomatch

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "isomatch/surface.h"
+#include "isomatch/topology.h"
+#include "surface/largest_surface.h"
+#include "surface/sound_mesh.h"
+
+namespace isomatch {
+namespace {
+
+int count_unreferenced(const Mesh& mesh) {
+  std::vector<char> unreferenced(mesh.vertices.size(), 1);
+  for (const Face& face : mesh.faces) {
+    for (int v : face) unreferenced[v] = 0;
+  }
+  return static_cast<int>(std::ranges::count(unreferenced, 1));
+}
+
+/// Coinciding vertices of a `SoundMesh` are adjacent.
+int count_duplicate_vertices(const SoundMesh& sound) {
+  const std::vector<Point>& points = sound.mesh.vertices;
+  int duplicates = 0;
+  for (std::size_t v = 1; v < points.size(); ++v) duplicates += points[v] == points[v - 1];
+  return duplicates;
+}
+
+void measure_edges(const Mesh& mesh, MeshDiagnosis& diagnosis) {
+  double sum = 0, shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for_each_edge(sorted_edge_sides(mesh), [&](std::span<const EdgeSide> edge) {
+    const double length = (mesh.vertices[edge[0].low] - mesh.vertices[edge[0].high]).norm();
+    sum += length;
+    shortest = std::min(shortest, length);
+    longest = std::max(longest, length);
+  });
+  diagnosis.min_edge = shortest;
+  diagnosis.mean_edge = sum / diagnosis.surface.edges;
+  diagnosis.max_edge = longest;
+}
+
+void inspect_surface(const Surface& surface, MeshDiagnosis& diagnosis) {
+  diagnosis.surface = connectivity(surface.mesh);
+  diagnosis.components = surface.components;
+  diagnosis.joined_edges = surface.joined_edges;
+  diagnosis.matchable_vertices =
+      diagnosis.vertices - static_cast<int>(std::ranges::count(surface.surface_vertex, kNoVertex));
+  diagnosis.matchable_area_share = surface.area / surface.total_area;
+  measure_edges(surface.mesh, diagnosis);
+}
+
+std::string component_warning(int components, double share) {
+  const std::string others =
+      components == 2 ? "the other is" : fmt::format("the other {} are", components - 1);
+  return fmt::format("{} components: the largest ({} % of the area) is matched, {} left unmatched",
+                     components, static_cast<int>(100 * share), others);
+}
+
+/// Something countable that is wrong, said of one and of many.
+struct Defect {
+  int number;
+  const char* one;
+  const char* many;
+};
+
+std::array<Defect, 7> countable_defects(const MeshDiagnosis& d) {
+  return {
+      {{d.degenerate_faces, "1 face without area: ignored", "{} faces without area: ignored"},
+       {d.duplicate_faces, "1 face that repeats another: ignored",
+        "{} faces that repeat others: ignored"},
+       {d.unreferenced_vertices,
+        "1 vertex without a face: matched only where it coincides with another",
+        "{} vertices without a face: matched only where they coincide with others"},
+       {d.joined_edges, "1 open seam edge whose two sides coincide: joined",
+        "{} open seam edges whose two sides coincide: joined"},
+       {d.surface.nonmanifold_edges, "1 edge of more than two faces: the surface branches there",
+        "{} edges of more than two faces: the surface branches there"},
+       {d.surface.nonmanifold_vertices,
+        "1 vertex in which parts of the surface only touch: distances pass through it",
+        "{} vertices in which parts of the surface only touch: distances pass through them"},
+       {d.surface.orientable ? d.surface.inconsistent_edges : 0,
+        "1 edge between faces that face opposite ways: inside and outside are mixed up",
+        "{} edges between faces that face opposite ways: inside and outside are mixed up"}}};
+}
+
+std::string border_warning(const Connectivity& surface) {
+  const std::string borders = surface.boundary_loops == 1
+                                  ? "1 hole or open border"
+                                  : fmt::format("{} holes or open borders", surface.boundary_loops);
+  return fmt::format(
+      "{} ({} edges): distances lead around, which suits shapes open at the same places", borders,
+      surface.boundary_edges);
+}
+
+}  // namespace
+
+MeshDiagnosis diagnose(const Mesh& mesh) {
+  validate(mesh);
+  SoundMesh sound = sound_mesh(mesh);
+  MeshDiagnosis diagnosis;
+  diagnosis.vertices = mesh.num_vertices();
+  diagnosis.faces = mesh.num_faces();
+  diagnosis.area = surface_area(mesh);
+  diagnosis.degenerate_faces = sound.degenerate_faces;
+  diagnosis.duplicate_faces = sound.duplicate_faces;
+  diagnosis.unreferenced_vertices = count_unreferenced(mesh);
+  diagnosis.duplicate_vertices = count_duplicate_vertices(sound);
+  diagnosis.given = connectivity(sound.mesh);
+  if (!sound.mesh.faces.empty()) inspect_surface(largest_surface(std::move(sound)), diagnosis);
+  return diagnosis;
+}
+
+std::vector<std::string> MeshDiagnosis::warnings() const {
+  if (surface.faces == 0) return {"no face has an area: there is nothing to match"};
+  std::vector<std::string> list;
+  if (components > 1) list.push_back(component_warning(components, matchable_area_share));
+  for (const auto& [number, one, many] : countable_defects(*this)) {
+    if (number > 0) list.push_back(fmt::format(fmt::runtime(number == 1 ? one : many), number));
+  }
+  if (surface.boundary_loops > 0) list.push_back(border_warning(surface));
+  if (!surface.orientable)
+    list.push_back("the surface has one side only, like a Moebius strip: no inside and outside");
+  return list;
+}
+
+}  // namespace isomatch

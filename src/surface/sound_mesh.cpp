@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "surface/sound_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "bucket_sort.h"
+#include "isomatch/topology.h"
+#include "surface/hilbert.h"
+
+namespace isomatch {
+namespace {
+
+/// A face by its vertices in ascending order.
+struct SortedFace {
+  Face vertices;
+  int face;
+
+  auto operator<=>(const SortedFace&) const = default;
+};
+
+std::vector<SortedFace> sorted_faces(int num_vertices, std::span<const Face> faces) {
+  return bucket_sorted<SortedFace>(num_vertices, [&](const auto& sink) {
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      Face vertices = faces[f];
+      std::ranges::sort(vertices);
+      sink(vertices[0], SortedFace{vertices, static_cast<int>(f)});
+    }
+  });
+}
+
+/// The area of a face, 0 where it is degenerate: a vertex repeats, or the area is so small that it
+/// is only the rounding error of the coordinates.
+double sound_area(const Mesh& mesh, const Face& face) {
+  if (has_repeated_vertex(face)) return 0;
+  const Point &a = mesh.vertices[face[0]], &b = mesh.vertices[face[1]], &c = mesh.vertices[face[2]];
+  const double coordinate = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs()).maxCoeff();
+  const double longest =
+      std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  const double doubled = (b - a).cross(c - a).norm();
+  constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+  return doubled > kRounding * coordinate * longest ? doubled / 2 : 0;
+}
+
+/// The vertices of `input` along a Hilbert curve, and its faces, in input order, in their numbers.
+SoundMesh renumbered(const Mesh& input) {
+  SoundMesh sound;
+  sound.input_vertex = hilbert_order(input.vertices);
+  std::vector<int> number(input.vertices.size());
+  sound.mesh.vertices.reserve(input.vertices.size());
+  for (int v : sound.input_vertex) {
+    number[v] = sound.mesh.num_vertices();
+    sound.mesh.vertices.push_back(input.vertices[v]);
+  }
+  sound.mesh.faces.reserve(input.faces.size());
+  for (const auto& [a, b, c] : input.faces)
+    sound.mesh.faces.push_back({number[a], number[b], number[c]});
+  return sound;
+}
+
+}  // namespace
+
+SoundMesh sound_mesh(const Mesh& input) {
+  SoundMesh sound = renumbered(input);
+  const std::vector<Face> faces = std::exchange(sound.mesh.faces, {});
+  sound.mesh.faces.reserve(faces.size());
+  sound.input_face.reserve(faces.size());
+  sound.face_areas.reserve(faces.size());
+  Face previous{-1, -1, -1};
+  for (const auto& [vertices, face] : sorted_faces(input.num_vertices(), faces)) {
+    const double area = sound_area(sound.mesh, vertices);
+    const bool is_duplicate = std::exchange(previous, vertices) == vertices;
+    if (area == 0) {
+      ++sound.degenerate_faces;
+    } else if (is_duplicate) {
+      ++sound.duplicate_faces;
+    } else {
+      sound.mesh.faces.push_back(faces[face]);
+      sound.input_face.push_back(face);
+      sound.face_areas.push_back(area);
+    }
+  }
+  return sound;
+}
+
+}  // namespace isomatch
