@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -61,8 +62,9 @@ void inspect_surface(const Surface& surface, MeshDiagnosis& diagnosis) {
 std::string component_warning(int components, double share) {
   const std::string others =
       components == 2 ? "the other is" : fmt::format("the other {} are", components - 1);
+  const long percent = std::min(99L, std::lround(100 * share));  // never all of several
   return fmt::format("{} components: the largest ({} % of the area) is matched, {} left unmatched",
-                     components, static_cast<int>(100 * share), others);
+                     components, percent, others);
 }
 
 /// Something countable that is wrong, said of one and of many.

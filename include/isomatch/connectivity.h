@@ -18,8 +18,9 @@ struct Connectivity {
   int components = 0;
   /// Edges of one face.
   int boundary_edges = 0;
-  /// Closed borders, each of them one hole or rim. Where edges of more than two faces break a
-  /// border into pieces, each piece counts.
+  /// Borders: each follows boundary edges and the surface between them around their ends, so that
+  /// holes that meet in a vertex have one border. Edges of more than two faces may break a border
+  /// into several.
   int boundary_loops = 0;
   /// Edges of more than two faces.
   int nonmanifold_edges = 0;
@@ -30,6 +31,7 @@ struct Connectivity {
   /// True if the faces can be turned so that no edge of two faces is inconsistent.
   bool orientable = true;
 
+  bool operator==(const Connectivity&) const = default;
   int euler_characteristic() const { return vertices - edges + faces; }
   /// Number of handles, if the surface is connected, orientable, and free of non-manifold edges and
   /// vertices. Holes do not change it.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ struct ZooMesh {
   std::string name;
   Mesh mesh;
 };
+
+/// Lets GoogleTest name the mesh instead of printing its bytes.
+inline void PrintTo(const ZooMesh& zoo_mesh, std::ostream* stream) { *stream << zoo_mesh.name; }
 
 /// All of the above and the sound shapes of shapes.h, for tests that must hold on any mesh.
 std::vector<ZooMesh> mesh_zoo();
