@@ -22,11 +22,12 @@ int fail(ExitCode code, std::string_view reason) {
   return code;
 }
 
-void describe_program(CLI::App& app, [[maybe_unused]] Request& request) {
+void describe_program(CLI::App& app, Request& request) {
   app.set_version_flag("--version", fmt::format("isomatch {}", kVersion));
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
+  add_info(app, request);
   set_example(app, "isomatch info horse.off");
 }
 

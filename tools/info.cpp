@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "command.h"
+#include "isomatch/mesh_io.h"
+#include "json.h"
+
+namespace isomatch::cli {
+namespace {
+
+struct InfoArguments {
+  std::string mesh;
+  bool json = false;
+};
+
+template <class Value>
+void print_line(std::string_view name, const Value& value) {
+  fmt::print("  {:<24}{}\n", name, value);
+}
+
+std::string describe(const std::optional<int>& genus) {
+  return genus ? std::to_string(*genus) : "none: not an orientable manifold";
+}
+
+void print_mesh(const MeshDiagnosis& diagnosis, const MeshReadReport& report) {
+  print_line("vertices", diagnosis.vertices);
+  print_line("faces", diagnosis.faces);
+  print_line("area", diagnosis.area);
+  print_line("components", diagnosis.components);
+  if (report.triangulated_polygons > 0)
+    print_line("polygons triangulated", report.triangulated_polygons);
+  if (report.merged_vertices > 0) print_line("STL corners merged", report.merged_vertices);
+}
+
+void print_surface(const MeshDiagnosis& diagnosis) {
+  const Connectivity& surface = diagnosis.surface;
+  fmt::print("surface that is matched\n");
+  print_line("vertices", surface.vertices);
+  print_line("faces", surface.faces);
+  print_line("share of area", fmt::format("{:.1f} %", 100 * diagnosis.matchable_area_share));
+  print_line("edge length", fmt::format("{:.4g} to {:.4g}, mean {:.4g}", diagnosis.min_edge,
+                                        diagnosis.max_edge, diagnosis.mean_edge));
+  print_line("boundary loops", surface.boundary_loops);
+  print_line("genus", describe(surface.genus()));
+}
+
+void run_info(const InfoArguments& arguments) {
+  MeshReadReport report;
+  const Mesh mesh = read_mesh(arguments.mesh, &report);
+  const MeshDiagnosis diagnosis = diagnose(mesh);
+  if (arguments.json) {
+    Json json = to_json(diagnosis);
+    json["triangulated_polygons"] = report.triangulated_polygons;
+    json["merged_vertices"] = report.merged_vertices;
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}\n", arguments.mesh);
+  print_mesh(diagnosis, report);
+  print_surface(diagnosis);
+  for (const std::string& warning : diagnosis.warnings()) fmt::print("! {}\n", warning);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Request& request) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  CLI::App& command = *app.add_subcommand("info", "Print what a mesh is made of and its defects");
+  command.add_option("MESH", arguments->mesh, "OFF, OBJ, PLY or STL file")->required();
+  command.add_flag("--json", arguments->json, "Print JSON");
+  set_example(command, "isomatch info horse.off");
+  command.callback([arguments, &request] {
+    request.action = [arguments](const Context&) { run_info(*arguments); };
+  });
+}
+
+}  // namespace isomatch::cli
