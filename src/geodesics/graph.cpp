@@ -59,7 +59,7 @@ ArcBlocks unfold_all(const Mesh& mesh, const GeodesicOptions& options, const Con
       edges_only ? std::vector(mesh.faces.size(), std::array{kNoFace, kNoFace, kNoFace})
                  : face_neighbours(mesh);
   ArcBlocks blocks(mesh.num_vertices());
-#pragma omp parallel num_threads(context.threads)
+#pragma omp parallel num_threads(context.threads) if (blocks.size() > 1)
   {
     StripUnfolder unfolder(mesh, faces, neighbours, options.window_angle);
 #pragma omp for schedule(dynamic)
@@ -93,7 +93,7 @@ struct MissingArc {
 
 std::vector<MissingArc> missing_arcs(ArcBlocks& blocks, const Context& context) {
   std::vector<std::vector<MissingArc>> missing(blocks.size());
-#pragma omp parallel for schedule(dynamic) num_threads(context.threads)
+#pragma omp parallel for schedule(dynamic) num_threads(context.threads) if (blocks.size() > 1)
   for (int b = 0; b < blocks.size(); ++b) {
     for (int v = blocks.first_vertex(b); v < blocks.last_vertex(b); ++v) {
       for (const Arc& arc : blocks.list(v))
@@ -147,7 +147,7 @@ GeodesicGraph::GeodesicGraph(const Mesh& mesh, const GeodesicOptions& options,
   for (int v = 0; v < mesh.num_vertices(); ++v)
     offsets_[v + 1] = offsets_[v] + blocks.list(v).size() + starts[v + 1] - starts[v];
   arcs_.resize(offsets_.back());
-#pragma omp parallel for schedule(dynamic, 1024) num_threads(context.threads)
+#pragma omp parallel for schedule(dynamic, ArcBlocks::kVertices) num_threads(context.threads)
   for (int v = 0; v < mesh.num_vertices(); ++v) {
     auto out = arcs_.begin() + static_cast<std::ptrdiff_t>(offsets_[v]);
     std::size_t m = starts[v];

@@ -35,8 +35,9 @@ StripUnfolder::StripUnfolder(const Mesh& mesh, const IndexLists& faces_of_vertex
       cos_window_angle_(std::cos(window_angle * std::numbers::pi / 180)) {}
 
 void StripUnfolder::append_arcs(int vertex, std::vector<GeodesicGraph::Arc>& arcs) {
+  vertex_ = vertex;
   for (const int face : faces_of_vertex_[vertex]) {
-    open_window(vertex, face, arcs);
+    open_window(face, arcs);
     while (!stack_.empty()) {
       const Window window = stack_.back();
       stack_.pop_back();
@@ -45,15 +46,15 @@ void StripUnfolder::append_arcs(int vertex, std::vector<GeodesicGraph::Arc>& arc
   }
 }
 
-void StripUnfolder::open_window(int vertex, int face, std::vector<GeodesicGraph::Arc>& arcs) {
-  const int corner = corner_of(mesh_.faces[face], vertex);
+void StripUnfolder::open_window(int face, std::vector<GeodesicGraph::Arc>& arcs) {
+  const int corner = corner_of(mesh_.faces[face], vertex_);
   const int right = mesh_.faces[face][(corner + 1) % 3];
   const int left = mesh_.faces[face][(corner + 2) % 3];
-  const Point to_right = mesh_.vertices[right] - mesh_.vertices[vertex];
-  const Point to_left = mesh_.vertices[left] - mesh_.vertices[vertex];
+  const Point to_right = mesh_.vertices[right] - mesh_.vertices[vertex_];
+  const Point to_left = mesh_.vertices[left] - mesh_.vertices[vertex_];
   const double right_length = to_right.norm(), left_length = to_left.norm();
-  if (right != vertex) arcs.push_back({right, round_up(right_length)});
-  if (left != vertex) arcs.push_back({left, round_up(left_length)});
+  if (right != vertex_) arcs.push_back({right, round_up(right_length)});
+  if (left != vertex_) arcs.push_back({left, round_up(left_length)});
   if (!(right_length > 0 && left_length > 0)) return;
   const Vector2 left_position(to_right.dot(to_left) / right_length,
                               to_right.cross(to_left).norm() / right_length);
@@ -96,7 +97,8 @@ void StripUnfolder::look_through(const Window& window, std::vector<GeodesicGraph
   const bool left_sees = cross(position, window.left_ray) > 0;
   if (right_sees && left_sees) {
     const double length = position.norm();
-    arcs.push_back({apex, round_up(length)});
+    // Round a thin limb a vertex sees itself.
+    if (apex != vertex_) arcs.push_back({apex, round_up(length)});
     right_part.left_ray = left_part.right_ray = position / length;
   }
   if (right_sees) push_if_wide(right_part);

@@ -39,7 +39,7 @@ class StripUnfolder {
     Vector2 right_ray, left_ray;  ///< Unit vectors that bound the window.
   };
 
-  void open_window(int vertex, int face, std::vector<GeodesicGraph::Arc>& arcs);
+  void open_window(int face, std::vector<GeodesicGraph::Arc>& arcs);
   void look_through(const Window& window, std::vector<GeodesicGraph::Arc>& arcs);
   void push_if_wide(const Window& window);
 
@@ -47,6 +47,7 @@ class StripUnfolder {
   const IndexLists& faces_of_vertex_;
   const std::vector<std::array<int, 3>>& neighbours_;
   double cos_window_angle_;
+  int vertex_ = 0;  ///< The one whose arcs are being found.
   std::vector<Window> stack_;
 };
 
