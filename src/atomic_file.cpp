@@ -17,6 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kNameAttempts = 100;
+/// As many as Linux follows.
+constexpr int kMostLinks = 40;
 
 [[noreturn]] void fail(const std::string& path, std::string_view action, std::error_code error) {
   throw BadFile(path, fmt::format("{}: {}", action, error.message()));
@@ -24,17 +26,25 @@ constexpr int kNameAttempts = 100;
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-/// Where the content has to go: `path` itself, or the file that it links to.
-fs::path resolve_destination(const std::string& path) {
+/// `path`, or the file that it links to, which need not exist.
+fs::path follow_links(const std::string& path) {
+  fs::path destination = path;
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  for (int links = 0; fs::is_symlink(fs::symlink_status(destination, error)); ++links) {
+    if (links == kMostLinks) throw BadFile(path, "too many links");
+    destination = destination.parent_path() / fs::read_symlink(destination, error);
+  }
+  return destination;
+}
+
+fs::path checked_destination(const std::string& path) {
+  const fs::path destination = follow_links(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(destination, error);
   if (fs::is_directory(status)) throw BadFile(path, "is a folder");
   // Moving a file over a device or a pipe would destroy it.
   if (fs::exists(status) && !fs::is_regular_file(status)) throw BadFile(path, "not a regular file");
-  if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
-  const fs::path target = fs::weakly_canonical(path, error);
-  if (error) fail(path, "cannot follow the link", error);
-  return target;
+  return destination;
 }
 
 fs::path temporary_name(const fs::path& destination) {
@@ -46,7 +56,7 @@ fs::path temporary_name(const fs::path& destination) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path)
-    : path_(std::move(path)), destination_(resolve_destination(path_)) {
+    : path_(std::move(path)), destination_(checked_destination(path_)) {
   for (int attempt = 0; attempt < kNameAttempts && !file_; ++attempt) {
     temporary_ = temporary_name(destination_);
     file_.reset(std::fopen(temporary_.string().c_str(), "wbx"));

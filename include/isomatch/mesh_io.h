@@ -10,23 +10,39 @@ namespace isomatch {
 
 /// What a reader had to do to make an indexed triangle mesh of a file.
 struct MeshReadReport {
-  /// Polygons of more than three corners that were cut into triangle fans.
+  /// Polygons of more than three corners, each cut into a fan of triangles around its first corner.
   int triangulated_polygons = 0;
-  /// STL only: corners of triangles that were merged because their positions are equal.
+  /// STL only: corners of triangles that share a vertex with an earlier corner, because their
+  /// positions are exactly equal (-0 equals 0).
   int merged_vertices = 0;
 };
 
-/// Reads a triangle mesh; the format follows from the file name's ending (.off .obj .ply .stl, any
-/// case) and, for its variants, from the content. Vertices keep the file's order and number; only
-/// STL, which has no vertices of its own, gets one for each distinct position in order of first
-/// appearance. Throws `BadFile` for a missing, empty, truncated or malformed file, an index out of
-/// range, coordinates that are not finite, or no faces. Never allocates more than a small multiple
-/// of the file's size. O(N).
+/// Reads a triangle mesh and reports to `report`, unless it is null. The file name's ending tells
+/// the format, in upper or lower case:
+/// - .off: OFF and its variants with colours, normals and texture coordinates (COFF, NOFF, STOFF
+/// and
+///   their combinations), which are passed over; ASCII, one vertex or face a line; # comments.
+/// - .obj: `v` and `f` lines; everything else in it is passed over.
+/// - .ply: ASCII and binary of both byte orders, any properties; elements "vertex", "face" and
+///   "tristrips", others are passed over.
+/// - .stl: ASCII and binary, whichever the content is.
+///
+/// Vertices keep the file's order and number. Only STL has no vertices of its own: it gets one for
+/// each distinct position, in order of first appearance. Faces keep the file's order too.
+///
+/// Throws `BadFile` for a file that is missing, empty, truncated, malformed, or longer than it
+/// announces, for an index out of range, a coordinate that is not finite, a face of fewer than
+/// three corners, and for a mesh without vertices or faces. The message names the line in text
+/// formats and the byte, from 0, in binary ones. What is returned passes `validate`.
+///
+/// O(N). Numbers do not depend on the locale. Memory stays within a small multiple of the file's
+/// size, whatever the file announces.
 Mesh read_mesh(const std::string& path, MeshReadReport* report = nullptr);
 
-/// Writes `mesh` as .off, .obj or .ply (binary little endian, float coordinates as doubles) by the
-/// ending of `path`. The file appears whole or not at all. Coordinates survive a round trip
-/// exactly. Throws `BadFile` if it cannot be written or the ending is unknown.
+/// Writes `mesh` as .off, .obj or .ply (binary little endian, double coordinates) by the ending of
+/// `path`. The file appears whole or not at all, see `AtomicFile`. Coordinates, vertex order and
+/// faces survive a round trip exactly. Throws `InvalidInput` if `mesh` fails `validate`, `BadFile`
+/// if the file cannot be written or the ending is another one. O(N).
 void write_mesh(const std::string& path, const Mesh& mesh);
 
 }  // namespace isomatch

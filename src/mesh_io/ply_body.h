@@ -46,7 +46,7 @@ class AsciiPlyBody {
   }
   /// Fails unless all of the file has been read.
   void expect_end() {
-    if (cursor_.find_content()) cursor_.fail("more lines follow than the header announces");
+    if (cursor_.find_content()) cursor_.fail("more lines follow than the file announces");
   }
   /// Throws `BadFile` with the place of the last value.
   [[noreturn]] void fail(const std::string& reason) const { cursor_.fail(reason); }

@@ -24,6 +24,8 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 std::string TemporaryFolder::write(std::string_view name, std::string_view content) const {
+  // Overwriting a file makes some file systems wait for the disk.
+  std::filesystem::remove(path(name));
   std::ofstream(path(name), std::ios::binary) << content;
   return path(name);
 }
