@@ -14,7 +14,9 @@
 #include <locale>
 #include <random>
 
+#include "isomatch/error.h"
 #include "support/mesh_files.h"
+#include "support/temporary_folder.h"
 
 namespace isomatch {
 namespace {

@@ -2,13 +2,17 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "isomatch/error.h"
+#include "isomatch/mesh_io.h"
 #include "support/mesh_files.h"
+#include "support/temporary_folder.h"
 
 /// Damaged files of every kind: whatever is done to them, a reader throws `BadFile` or returns a
 /// mesh that passes `validate`.
@@ -16,7 +20,6 @@ namespace isomatch {
 namespace {
 
 using test::bytes;
-using test::TemporaryFolder;
 
 constexpr int kMutationsPerSample = 4000;
 
@@ -82,23 +85,22 @@ std::vector<Sample> samples() {
           {"binary stl", "stl", binary_stl()}};
 }
 
-/// Reads one file after the other.
+/// Reads damaged files of one format.
 class Victim {
  public:
-  explicit Victim(const char* ending) : path_(folder_.path("mesh." + std::string(ending))) {}
+  explicit Victim(const char* ending) : name_("mesh." + std::string(ending)) {}
 
-  /// Whether the reader accepts `content`; a test failure if it does anything else than to accept
-  /// it as a valid mesh or to refuse it with one line of explanation.
-  bool accepts(const std::string& content) {
-    folder_.write(std::filesystem::path(path_).filename().string(), content);
+  /// Whether the reader accepts `content`. The test fails if it does anything else than accept it
+  /// as a valid mesh or refuse it with one line of explanation.
+  bool accepts(const std::string& content) const {
+    const std::string path = folder_.write(name_, content);
     try {
-      validate(read_mesh(path_));
+      validate(read_mesh(path));
       return true;
     } catch (const BadFile& error) {
       const std::string message = error.what();
-      EXPECT_TRUE(message.starts_with(path_ + ": ") && message.size() > path_.size() + 10)
-          << message;
-      for (const char c : message) EXPECT_TRUE(c >= ' ' && c <= '~') << message;
+      EXPECT_TRUE(message.starts_with(path + ": ") && message.size() > path.size() + 10) << message;
+      EXPECT_TRUE(std::ranges::all_of(message, [](char c) { return c >= ' ' && c <= '~'; }));
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what() << "\n" << content;
     }
@@ -106,8 +108,8 @@ class Victim {
   }
 
  private:
-  TemporaryFolder folder_;
-  std::string path_;
+  test::TemporaryFolder folder_;
+  std::string name_;
 };
 
 class DamagedFile : public testing::TestWithParam<Sample> {};
@@ -117,7 +119,7 @@ TEST_P(DamagedFile, SampleIsFine) {
 }
 
 TEST_P(DamagedFile, CutAnywhereIsRefusedOrValid) {
-  Victim victim(GetParam().ending);
+  const Victim victim(GetParam().ending);
   const std::string& content = GetParam().content;
   int accepted = 0;
   for (std::size_t size = 0; size < content.size(); ++size)
@@ -179,7 +181,7 @@ std::string mutate(std::string content, std::mt19937& random) {
 }
 
 TEST_P(DamagedFile, MutatedIsRefusedOrValid) {
-  Victim victim(GetParam().ending);
+  const Victim victim(GetParam().ending);
   std::mt19937 random(11);
   int accepted = 0;
   for (int i = 0; i < kMutationsPerSample && !HasFailure(); ++i)
