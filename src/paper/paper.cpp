@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/paper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "isomatch/error.h"
+#include "paper/patch_pairs.h"
+
+namespace isomatch {
+
+using paper::match_patch_pairs;
+using paper::match_whole_surfaces;
+using paper::MatchedLevel;
+using paper::PatchMatching;
+
+namespace {
+
+/// The orders in which vertices become base vertices (Section 3).
+struct SamplingOrders {
+  std::vector<int> coarsest, finer;
+};
+
+SamplingOrders sampling_orders(const Shape& shape, const SaliencyOptions& options,
+                               const Context& context) {
+  return {descending_order(integral_geodesic_distance(shape, options, context)),
+          descending_order(gaussian_curvature(shape, options))};
+}
+
+float radius_of_area(double area, const RadiusOptions& options) {
+  return static_cast<float>(options.radius_factor * std::sqrt(area / std::numbers::pi));
+}
+
+float next_radius(const BaseSampling& previous, const RadiusOptions& options) {
+  return std::min(radius_of_area(previous.largest_patch_area, options),
+                  static_cast<float>(options.max_radius_ratio) * previous.radius);
+}
+
+/// S(0) and T(0): the smallest radii of the rule's ratio that give few enough bases on both.
+void sample_coarsest(const Shape& source, const Shape& target, const SamplingOrders& source_orders,
+                     const SamplingOrders& target_orders, const RadiusOptions& options,
+                     SampledLevel& level) {
+  constexpr float kGrowth = 1.02f;
+  float source_radius = radius_of_area(source.surface.area, options);
+  float target_radius = radius_of_area(target.surface.area, options);
+  for (;; source_radius *= kGrowth, target_radius *= kGrowth) {
+    level.source.sampling = sample_bases(source, source_orders.coarsest, {}, source_radius);
+    level.target.sampling = sample_bases(target, target_orders.coarsest, {}, target_radius);
+    if (std::max(level.source.num_bases(), level.target.num_bases()) <= options.max_coarse_bases)
+      return;
+  }
+}
+
+ShapeLevel finer_shape_level(const Shape& shape, const SamplingOrders& orders,
+                             const ShapeLevel& previous, const RadiusOptions& options,
+                             const Context& context) {
+  ShapeLevel level;
+  level.sampling = sample_bases(shape, orders.finer, previous.sampling.bases,
+                                next_radius(previous.sampling, options));
+  level.neighbourhoods =
+      BaseNeighbourhoods(shape, level.sampling.bases, 2 * previous.sampling.radius, context);
+  return level;
+}
+
+BaseNeighbourhoods all_distances(const Shape& shape, const ShapeLevel& level,
+                                 const Context& context) {
+  return {shape, level.sampling.bases, std::numeric_limits<float>::max(), context};
+}
+
+Correspondence union_of(const std::vector<PatchMatching>& patches) {
+  Correspondence all;
+  for (const PatchMatching& patch : patches)
+    all.insert(all.end(), patch.matches.begin(), patch.matches.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+/// A chain of matched levels that began with one of the matchings of level 0.
+struct Hypothesis {
+  std::vector<MatchedLevel> levels;
+
+  double distortion() const { return levels.back().merge.distortion.mean; }
+};
+
+/// Samples and matches level by level.
+class Descent {
+ public:
+  Descent(const Shape& source, const Shape& target, const PaperOptions& options,
+          const Context& context)
+      : source_(source),
+        target_(target),
+        options_(options),
+        context_(context),
+        source_orders_(sampling_orders(source, options.saliency, context)),
+        target_orders_(sampling_orders(target, options.saliency, context)),
+        source_fields_(source),
+        target_fields_(target) {}
+
+  void sample_level() {
+    if (sampled_.empty()) {
+      sampled_.push_back(coarsest_level());
+    } else {
+      sampled_.push_back(finer_level(sampled_.back()));
+    }
+  }
+
+  /// Section 4.1 at level 0.
+  std::vector<Hypothesis> match_coarsest() {
+    const SampledLevel& level = sampled_.front();
+    std::vector<Hypothesis> hypotheses;
+    for (Correspondence& matches :
+         match_whole_surfaces({level.source, source_}, {level.target, target_},
+                              options_.coarse_candidates, options_.patches)) {
+      std::vector<PatchMatching> patches{{{0, 0}, std::move(matches)}};
+      hypotheses.push_back({{merged(level, std::move(patches), {})}});
+    }
+    return hypotheses;
+  }
+
+  /// Sections 4.1 and 4.2 at the level that was sampled last.
+  void match_level(Hypothesis& hypothesis) {
+    const SampledLevel& coarser = *(sampled_.end() - 2);
+    const SampledLevel& level = sampled_.back();
+    const MatchedLevel& previous = hypothesis.levels.back();
+    const std::vector<int>& inherited = previous.merge.merged.target_of_source;
+    std::vector<PatchMatching> patches = match_patch_pairs(
+        coarser, previous, {level.source, source_}, {level.target, target_},
+        landmark_distortion(level, inherited, source_fields_, target_fields_, context_),
+        options_.patches, context_);
+    hypothesis.levels.push_back(merged(level, std::move(patches), inherited));
+  }
+
+  bool complete() const {
+    return sampled_.back().source.num_bases() == source_.num_vertices() &&
+           sampled_.back().target.num_bases() == target_.num_vertices();
+  }
+
+  const std::vector<SampledLevel>& sampled() const { return sampled_; }
+
+ private:
+  SampledLevel coarsest_level() const {
+    SampledLevel level;
+    sample_coarsest(source_, target_, source_orders_, target_orders_, options_.radii, level);
+    level.source.neighbourhoods = all_distances(source_, level.source, context_);
+    level.target.neighbourhoods = all_distances(target_, level.target, context_);
+    level.landmarks = choose_landmarks(level.source.sampling.bases);
+    return level;
+  }
+
+  SampledLevel finer_level(const SampledLevel& coarser) const {
+    SampledLevel level{
+        finer_shape_level(source_, source_orders_, coarser.source, options_.radii, context_),
+        finer_shape_level(target_, target_orders_, coarser.target, options_.radii, context_),
+        coarser.landmarks};
+    if (static_cast<int>(coarser.landmarks.size()) < options_.list_size)
+      level.landmarks = choose_landmarks(coarser.source.sampling.bases);
+    return level;
+  }
+
+  /// Once there are enough they stay, so that their distance fields serve all further levels.
+  std::vector<int> choose_landmarks(const std::vector<int>& bases) const {
+    return farthest_points(source_.graph, bases, options_.list_size);
+  }
+
+  /// Section 4.2.
+  MatchedLevel merged(const SampledLevel& level, std::vector<PatchMatching> patches,
+                      const std::vector<int>& inherited) {
+    MergeResult merge = merge_matches(level, union_of(patches), inherited, source_fields_,
+                                      target_fields_, options_.merging, context_);
+    return {std::move(patches), std::move(merge)};
+  }
+
+  const Shape& source_;
+  const Shape& target_;
+  const PaperOptions& options_;
+  const Context& context_;
+  SamplingOrders source_orders_, target_orders_;
+  FieldStore source_fields_, target_fields_;
+  std::vector<SampledLevel> sampled_;
+};
+
+void keep_least_distorted(std::vector<Hypothesis>& hypotheses) {
+  std::swap(hypotheses.front(), *std::ranges::min_element(hypotheses, {}, &Hypothesis::distortion));
+  hypotheses.resize(1);
+}
+
+PaperLevel summary_of(const SampledLevel& sampled, MatchedLevel matched) {
+  PaperLevel level;
+  level.source_radius = sampled.source.sampling.radius;
+  level.target_radius = sampled.target.sampling.radius;
+  level.source_bases = sampled.source.num_bases();
+  level.target_bases = sampled.target.num_bases();
+  level.matches = matched.merge.merged.matches();
+  level.many_to_one = std::move(matched.merge.many_to_one);
+  level.many_to_one_distortion = matched.merge.many_to_one_distortion;
+  level.distortion = matched.merge.distortion;
+  level.outliers_moved = matched.merge.outliers_moved;
+  return level;
+}
+
+}  // namespace
+
+void PaperOptions::validate() const {
+  saliency.validate();
+  patches.validate();
+  merging.validate();
+}
+
+PaperResult match_paper(const Shape& source, const Shape& target, const PaperOptions& options,
+                        const Context& context) {
+  options.validate();
+  Descent descent(source, target, options, context);
+  descent.sample_level();
+  std::vector<Hypothesis> hypotheses = descent.match_coarsest();
+  for (int k = 1; k <= options.max_levels && !descent.complete(); ++k) {
+    descent.sample_level();
+    for (Hypothesis& hypothesis : hypotheses) descent.match_level(hypothesis);
+    if (k == options.candidate_levels) keep_least_distorted(hypotheses);
+  }
+  keep_least_distorted(hypotheses);
+
+  PaperResult result;
+  const std::vector<SampledLevel>& sampled = descent.sampled();
+  for (std::size_t k = 0; k < sampled.size(); ++k)
+    result.levels.push_back(summary_of(sampled[k], std::move(hypotheses.front().levels[k])));
+  result.source_bases = sampled.back().source.sampling.bases;
+  result.target_bases = sampled.back().target.sampling.bases;
+  result.complete = descent.complete();
+  return result;
+}
+
+}  // namespace isomatch
