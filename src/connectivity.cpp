@@ -80,7 +80,7 @@ int count_boundary_loops(const Mesh& mesh, Sides sides, DisjointSets fans) {
   });
   for (int& corner : corners) corner = fans.find(corner);
   std::ranges::sort(corners);
-  return static_cast<int>(std::ranges::unique(corners).begin() - corners.begin());
+  return static_cast<int>(std::unique(corners.begin(), corners.end()) - corners.begin());
 }
 
 int count_components(const Mesh& mesh) {

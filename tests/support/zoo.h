@@ -55,7 +55,9 @@ struct ZooMesh {
 };
 
 /// Lets GoogleTest name the mesh instead of printing its bytes.
-inline void PrintTo(const ZooMesh& zoo_mesh, std::ostream* stream) { *stream << zoo_mesh.name; }
+inline std::ostream& operator<<(std::ostream& stream, const ZooMesh& zoo_mesh) {
+  return stream << zoo_mesh.name;
+}
 
 /// All of the above and the sound shapes of shapes.h, for tests that must hold on any mesh.
 std::vector<ZooMesh> mesh_zoo();

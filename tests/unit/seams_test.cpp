@@ -140,9 +140,8 @@ TEST(Seams, NoJoinThatMakesAnEdgeOfFourFaces) {
 Mesh random_tangle(test::Random& random) {
   Mesh mesh;
   const int places = 4 + random.index(6), copies = 1 + random.index(3);
-  std::vector<Point> points;
-  for (int i = 0; i < places; ++i)
-    points.emplace_back(random.uniform(), random.uniform(), random.uniform());
+  std::vector<Point> points(places);
+  for (Point& p : points) p = random.direction();
   for (int i = 0; i < copies; ++i)
     mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
   const int faces = 1 + random.index(25);
