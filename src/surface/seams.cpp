@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <compare>
-#include <numeric>
 #include <span>
+#include <utility>
 
 #include "bucket_sort.h"
 #include "disjoint_sets.h"

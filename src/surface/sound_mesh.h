@@ -9,8 +9,7 @@
 namespace isomatch {
 
 /// A mesh without the faces that carry no surface, renumbered so that what is near in space is near
-/// in memory. Everything after this step gains from that: three times as fast on a million vertices
-/// in random order.
+/// in memory, which makes extraction 2.4 times as fast for a million vertices in random order.
 struct SoundMesh {
   /// All vertices of the input along a Hilbert curve, coinciding ones in input order; the sound
   /// faces in ascending order of their sorted vertices, each with its corners in input order.
