@@ -21,6 +21,7 @@ struct Request {
 /// `request.action`. A new subcommand is a file with such a function, a line here, and a line in
 /// main.cpp. `request` must outlive `app`.
 void add_info(CLI::App& app, Request& request);
+void add_eval(CLI::App& app, Request& request);
 
 /// Adds `--threads` and `--quiet`, for subcommands that take more than a moment.
 void add_run_options(CLI::App& command, Request& request);

@@ -28,6 +28,7 @@ void describe_program(CLI::App& app, Request& request) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   add_info(app, request);
+  add_eval(app, request);
   set_example(app, "isomatch info horse.off");
 }
 

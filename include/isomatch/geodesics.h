@@ -129,9 +129,9 @@ std::vector<float> geodesic_fields(const GeodesicGraph& graph, std::span<const i
                                    const Context& context = {});
 
 /// The largest geodesic distance between two connected vertices, approximated from below: exact to
-/// .5 % or the best of 49 fields, whichever comes first. Fields are taken from the vertices that the
-/// triangle inequality still lets be the most eccentric, so it ends after 15 to 40 fields on shapes
-/// with limbs and is exact on most of them. O(N log N), in parallel, two fields at a time.
+/// .5 % or the best of 49 fields, whichever comes first. Fields are taken from the vertices that
+/// the triangle inequality still lets be the most eccentric, so it ends after 15 to 40 fields on
+/// shapes with limbs and is exact on most of them. O(N log N), in parallel, two fields at a time.
 double geodesic_diameter(const GeodesicGraph& graph, const Context& context = {});
 
 }  // namespace isomatch

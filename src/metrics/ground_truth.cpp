@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "isomatch/error.h"
+#include "isomatch/metrics.h"
+#include "metrics/checks.h"
+
+namespace isomatch {
+namespace {
+
+/// Two vertices of the target whose distance is an error.
+struct ErrorPair {
+  int truth;
+  int mapped;
+};
+
+/// The matches of each source vertex lie together in a sorted correspondence.
+std::span<const Match> matches_of(const Correspondence& matches, int source) {
+  const auto [first, last] = std::ranges::equal_range(matches, source, {}, &Match::source);
+  return {first, last};
+}
+
+std::vector<ErrorPair> template_pairs(const GroundTruth& truth, const Correspondence& matches) {
+  std::vector<ErrorPair> pairs;
+  for (int i = 0; i < truth.size(); ++i) {
+    for (const Match& match : matches_of(matches, truth.source[i]))
+      pairs.push_back({truth.target[i], match.target});
+  }
+  return pairs;
+}
+
+std::vector<ErrorPair> match_pairs(const GroundTruth& truth, const Correspondence& matches) {
+  std::vector<int> order(truth.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto source_of = [&](int i) { return truth.source[i]; };
+  std::ranges::stable_sort(order, {}, source_of);
+  std::vector<ErrorPair> pairs;
+  for (const Match& match : matches) {
+    const auto point = std::ranges::lower_bound(order, match.source, {}, source_of);
+    if (point != order.end() && source_of(*point) == match.source)
+      pairs.push_back({truth.target[*point], match.target});
+  }
+  return pairs;
+}
+
+std::vector<ErrorPair> evenly_thinned(const std::vector<ErrorPair>& pairs, int max_samples) {
+  if (std::ssize(pairs) <= max_samples) return pairs;
+  std::vector<ErrorPair> thinned(max_samples);
+  for (std::size_t i = 0; i < thinned.size(); ++i)
+    thinned[i] = pairs[i * pairs.size() / thinned.size()];
+  return thinned;
+}
+
+std::vector<double> distances(const Shape& shape, const std::vector<ErrorPair>& pairs,
+                              const Context& context) {
+  std::vector<double> result(pairs.size(), 0.0);
+#pragma omp parallel num_threads(context.threads)
+  {
+    GeodesicSearch search(shape.graph);
+#pragma omp for schedule(dynamic, 16)
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (!context.stop.stop_requested())
+        result[i] = search.distance(pairs[i].truth, pairs[i].mapped);
+    }
+  }
+  context.check_stop();
+  return result;
+}
+
+double percentile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const std::size_t below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+ErrorStatistics statistics(std::vector<double> errors, double unit) {
+  if (errors.empty()) return {};
+  for (double& error : errors) error /= unit;
+  std::ranges::sort(errors);
+  const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
+  return {static_cast<int>(errors.size()), sum / static_cast<double>(errors.size()),
+          percentile(errors, 0.5), percentile(errors, 0.95), errors.back()};
+}
+
+void check_truth(const Shape& target, const GroundTruth& truth, const Correspondence& matches) {
+  if (truth.source.size() != truth.target.size())
+    throw InvalidInput("a ground truth needs as many source as target vertices");
+  for (int v : truth.target) check_vertex(target, v);
+  check_targets(target, matches);
+}
+
+}  // namespace
+
+void TruthOptions::validate() const {
+  if (max_samples < 1) throw InvalidInput("max_samples must be at least 1");
+}
+
+ErrorStatistics template_errors(const Shape& target, const GroundTruth& truth,
+                                const Correspondence& matches, const TruthOptions& options,
+                                const Context& context) {
+  options.validate();
+  check_truth(target, truth, matches);
+  const auto pairs = evenly_thinned(template_pairs(truth, matches), options.max_samples);
+  return statistics(distances(target, pairs, context), std::sqrt(target.surface.area));
+}
+
+ErrorStatistics match_errors(const Shape& target, const GroundTruth& truth,
+                             const Correspondence& matches, const TruthOptions& options,
+                             const Context& context) {
+  options.validate();
+  check_truth(target, truth, matches);
+  const auto pairs = evenly_thinned(match_pairs(truth, matches), options.max_samples);
+  return statistics(distances(target, pairs, context), target.max_geodesic);
+}
+
+}  // namespace isomatch

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "isomatch/map_io.h"
+#include "isomatch/mesh_io.h"
+#include "program.h"
+#include "support/shapes.h"
+#include "support/temporary_folder.h"
+#include "support/transforms.h"
+
+namespace isomatch::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// A rough sphere, its mirror image, and maps between them that keep vertex numbers.
+class Eval : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_mesh(path("source.off"), mesh_);
+    write_mesh(path("target.off"), mirrored(mesh_));
+    write_source_to_target(path("map.txt"), numbers_);
+    write_vts(path("source.vts"), numbers_);
+    write_vts(path("target.vts"), numbers_);
+    std::vector<int> other = numbers_;
+    std::rotate(other.begin(), other.begin() + 1, other.end());
+    write_vts(path("target.sym.vts"), other);
+  }
+
+  std::string path(const std::string& name) const { return folder_.path(name); }
+
+  std::vector<std::string> arguments(const std::vector<std::string>& more = {},
+                                     const std::string& map = "map.txt") const {
+    std::vector<std::string> all{"eval", path("source.off"), path("target.off"), path(map)};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  std::vector<std::string> truth() const {
+    return {"--gt-source", path("source.vts"), "--gt-target", path("target.vts")};
+  }
+
+  nlohmann::json json(std::vector<std::string> more, const std::string& map = "map.txt") const {
+    more.push_back("--json");
+    const Outcome outcome = run(arguments(more, map));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output);
+  }
+
+  const Mesh mesh_ = rough_sphere(2, 0.1, 1);
+  const std::vector<int> numbers_ = [this] {
+    std::vector<int> all(mesh_.num_vertices());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }();
+  TemporaryFolder folder_;
+};
+
+TEST_F(Eval, NeedsNoTruth) {
+  const nlohmann::json result = json({});
+  EXPECT_EQ(result["matches"], mesh_.num_vertices());
+  // Distances differ by the error of the visibility graph, .2 %.
+  EXPECT_LT(result["d_iso_over_max_geodesic"]["mean"], 0.002);
+  EXPECT_EQ(result["target_hit"]["vertices"], 1);
+  EXPECT_EQ(result["orientation"]["verdict"], "reverses");
+  EXPECT_FALSE(result.contains("ground_truth"));
+}
+
+TEST_F(Eval, RightMapHasNoError) {
+  const nlohmann::json result = json(truth());
+  EXPECT_EQ(result["ground_truth"]["template_points"], mesh_.num_vertices());
+  EXPECT_EQ(result["ground_truth"]["error_over_sqrt_area"]["maximum"], 0);
+  EXPECT_EQ(result["ground_truth"]["d_grd_over_max_geodesic"]["mean"], 0);
+  EXPECT_FALSE(result.contains("flipped"));
+}
+
+TEST_F(Eval, ComparesWithSymmetricTruth) {
+  std::vector<std::string> more = truth();
+  more.insert(more.end(), {"--gt-target-sym", path("target.sym.vts")});
+  EXPECT_EQ(json(more)["flipped"], false);
+  more[3] = path("target.sym.vts");
+  more[5] = path("target.vts");
+  const nlohmann::json flipped = json(more);
+  EXPECT_EQ(flipped["flipped"], true);
+  EXPECT_GT(flipped["ground_truth"]["error_over_sqrt_area"]["mean"], 0);
+  EXPECT_EQ(flipped["symmetric_ground_truth"]["error_over_sqrt_area"]["mean"], 0);
+}
+
+TEST_F(Eval, MapMayBeNumberedFromOneOrListPairs) {
+  write_vts(path("one_based.txt"), numbers_);
+  write_correspondence(path("pairs.txt"), to_correspondence(numbers_));
+  const nlohmann::json plain = json(truth());
+  std::vector<std::string> one_based = truth();
+  one_based.push_back("--one-based");
+  EXPECT_EQ(json(one_based, "one_based.txt"), plain);
+  EXPECT_EQ(json(truth(), "pairs.txt"), plain);
+}
+
+TEST_F(Eval, ThreadsChangeNothing) {
+  std::vector<std::string> one = truth(), three = truth();
+  one.insert(one.end(), {"--threads", "1"});
+  three.insert(three.end(), {"--threads", "3"});
+  EXPECT_EQ(json(one), json(three));
+}
+
+TEST_F(Eval, NamesNormalisations) {
+  const Outcome outcome = run(arguments(truth()));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("sqrt(area of target)"));
+  EXPECT_THAT(outcome.output, HasSubstr("D_grd / maximum geodesic"));
+  EXPECT_THAT(outcome.output, HasSubstr("D_iso / maximum geodesic"));
+}
+
+TEST_F(Eval, ProgressIsShownOnTerminalOnly) {
+  EXPECT_EQ(run(arguments()).errors, "");
+  EXPECT_THAT(run(arguments(), {.terminal = true}).errors, HasSubstr("% distortion"));
+  EXPECT_EQ(run(arguments({"--quiet"}), {.terminal = true}).errors, "");
+}
+
+TEST_F(Eval, BadMapIsNamedWithLine) {
+  folder_.write("bad.txt", "0\n1\nx\n");
+  const Outcome outcome = run(arguments({}, "bad.txt"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, StartsWith("isomatch: " + path("bad.txt") + ": line 3: "));
+}
+
+TEST_F(Eval, MapOfOtherMeshIsRejected) {
+  folder_.write("short.txt", "0\n1\n2\n");
+  const Outcome outcome = run(arguments({}, "short.txt"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("3 lines, but the source has 162 vertices"));
+}
+
+TEST_F(Eval, TruthsOfDifferentLengthAreRejected) {
+  folder_.write("short.vts", "1\n2\n");
+  const Outcome outcome =
+      run(arguments({"--gt-source", path("source.vts"), "--gt-target", path("short.vts")}));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, StartsWith("isomatch: " + path("short.vts") + ": "));
+}
+
+TEST_F(Eval, FlatMeshIsNamed) {
+  folder_.write("source.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  const Outcome outcome = run(arguments());
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, StartsWith("isomatch: " + path("source.off") + ": "));
+}
+
+TEST_F(Eval, LeavesNoFilesBehind) {
+  const std::vector<std::string> before = folder_.names();
+  run(arguments(truth()));
+  run(arguments({}, "absent.txt"));
+  EXPECT_EQ(folder_.names(), before);
+}
+
+}  // namespace
+}  // namespace isomatch::test

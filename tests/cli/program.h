@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isomatch::test {
+
+/// How a run of the program ended.
+struct Outcome {
+  int exit_code = 0;
+  std::string output;
+  std::string errors;
+};
+
+struct RunOptions {
+  /// Standard error is a terminal instead of a pipe.
+  bool terminal = false;
+  /// Send SIGINT this long after the start.
+  std::optional<std::chrono::milliseconds> interrupt_after = std::nullopt;
+};
+
+/// Runs `isomatch` with `arguments` and empty standard input, and waits for its end. A death by a
+/// signal counts as exit code 128 + signal.
+Outcome run(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+}  // namespace isomatch::test

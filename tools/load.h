@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+
+#include "isomatch/shape.h"
+
+namespace isomatch::cli {
+
+/// Reads a mesh and prepares it. What makes it unusable is a `BadFile` that names `path`.
+Shape load_shape(const std::string& path, const Context& context);
+
+}  // namespace isomatch::cli
