@@ -24,6 +24,9 @@ struct RadiusOptions {
   /// r(k) is at most this multiple of r(k-1). By the rule alone the radius stays where it is once
   /// the area of a single vertex is that of the largest patch, and the levels never end.
   double max_radius_ratio = 0.7;
+
+  /// Throws `InvalidInput` if a value is out of range.
+  void validate() const;
 };
 
 struct PaperOptions {

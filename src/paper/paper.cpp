@@ -204,10 +204,22 @@ PaperLevel summary_of(const SampledLevel& sampled, MatchedLevel matched) {
 
 }  // namespace
 
+void RadiusOptions::validate() const {
+  if (!(radius_factor > 0)) throw InvalidInput("radius_factor must be positive");
+  if (max_coarse_bases < 1) throw InvalidInput("max_coarse_bases must be at least 1");
+  if (!(max_radius_ratio > 0 && max_radius_ratio < 1))
+    throw InvalidInput("max_radius_ratio must be between 0 and 1");
+}
+
 void PaperOptions::validate() const {
   saliency.validate();
+  radii.validate();
   patches.validate();
   merging.validate();
+  if (list_size < 1) throw InvalidInput("list_size must be at least 1");
+  if (coarse_candidates < 1) throw InvalidInput("coarse_candidates must be at least 1");
+  if (candidate_levels < 1) throw InvalidInput("candidate_levels must be at least 1");
+  if (max_levels < 0) throw InvalidInput("max_levels must not be negative");
 }
 
 PaperResult match_paper(const Shape& source, const Shape& target, const PaperOptions& options,
@@ -217,6 +229,7 @@ PaperResult match_paper(const Shape& source, const Shape& target, const PaperOpt
   descent.sample_level();
   std::vector<Hypothesis> hypotheses = descent.match_coarsest();
   for (int k = 1; k <= options.max_levels && !descent.complete(); ++k) {
+    context.check_stop();
     descent.sample_level();
     for (Hypothesis& hypothesis : hypotheses) descent.match_level(hypothesis);
     if (k == options.candidate_levels) keep_least_distorted(hypotheses);
