@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace isomatch {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+/// Characters of a mantissa that is surely within the range of double.
+constexpr std::size_t kShortMantissa = std::numeric_limits<double>::max_exponent10;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
@@ -22,11 +25,11 @@ const char* skip_plus(const char* first, const char* last) {
   return plus ? first + 1 : first;
 }
 
-/// Of a number that no double can hold: whether it is too small rather than too large.
+/// Of a number out of the range of double: whether it is too small. Against a negative exponent, so
+/// short a mantissa cannot make it too large.
 bool is_tiny(std::string_view number) {
   const std::size_t exponent = number.find_first_of("eE");
-  if (exponent != std::string_view::npos) return number[exponent + 1] == '-';
-  return number.find_first_of("123456789") > number.find('.');
+  return exponent < kShortMantissa && number[exponent + 1] == '-';
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class TextCursor {
   /// The next word on this line, empty at its end. `peek_word` stays in front of it.
   std::string_view word();
   std::string_view peek_word();
-  /// The next word as a finite number; any that is too small for a double is zero.
+  /// The next word as a finite number; one that is too small for a double is zero.
   double number();
   /// The next word as an integer.
   std::int64_t integer();

@@ -8,6 +8,8 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "isomatch/error.h"
 #include "mesh_io/formats.h"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <iterator>
-#include <limits>
+#include <cstdint>
+#include <string_view>
 #include <utility>
 
 #include "mesh_io/checks.h"
 #include "mesh_io/formats.h"
 #include "mesh_io/polygon.h"
+#include "mesh_io/text_writer.h"
 #include "text_cursor.h"
 
 namespace isomatch::mesh_io {
@@ -51,25 +51,30 @@ class ObjReader {
   int read_corner() {
     const char* const place = cursor_.position();
     const std::int64_t index = cursor_.leading_integer('/');
-    const std::int64_t vertex = index > 0 ? index - 1 : result_.mesh.num_vertices() + index;
-    if (index == 0 || vertex < 0 || vertex > std::numeric_limits<int>::max()) fail_index(index);
+    if (index == 0) cursor_.fail("vertex index 0 is out of range, vertices are counted from 1");
+    if (index < 0) return vertex_before(index);
     if (index > highest_index_) {
       highest_index_ = index;
       highest_place_ = place;
     }
+    // Too large an index wraps here and is found by check_highest_index.
+    return static_cast<int>(index - 1);
+  }
+
+  int vertex_before(std::int64_t index) const {
+    const std::int64_t vertex = result_.mesh.num_vertices() + index;
+    if (vertex < 0)
+      cursor_.fail(fmt::format("vertex index {} is out of range, {} vertices stand before it",
+                               index, result_.mesh.num_vertices()));
     return static_cast<int>(vertex);
   }
 
   void check_highest_index() {
     if (highest_index_ <= result_.mesh.num_vertices()) return;
     cursor_.set_position(highest_place_);
-    fail_index(highest_index_);
-  }
-
-  [[noreturn]] void fail_index(std::int64_t index) const {
     cursor_.fail(
-        fmt::format("vertex index {} is out of range, there are {} vertices counted from 1", index,
-                    result_.mesh.num_vertices()));
+        fmt::format("vertex index {} is out of range, there are {} vertices counted from 1",
+                    highest_index_, result_.mesh.num_vertices()));
   }
 
   TextCursor cursor_;
@@ -83,17 +88,7 @@ class ObjReader {
 ReadResult read_obj(const InputFile& file) { return ObjReader(file).read(); }
 
 void write_obj(const Mesh& mesh, AtomicFile& file) {
-  fmt::memory_buffer line;
-  for (const Point& p : mesh.vertices) {
-    line.clear();
-    fmt::format_to(std::back_inserter(line), FMT_COMPILE("v {} {} {}\n"), p.x(), p.y(), p.z());
-    file.write({line.data(), line.size()});
-  }
-  for (const auto& [a, b, c] : mesh.faces) {
-    line.clear();
-    fmt::format_to(std::back_inserter(line), FMT_COMPILE("f {} {} {}\n"), a + 1, b + 1, c + 1);
-    file.write({line.data(), line.size()});
-  }
+  write_text(mesh, {.before_vertex = "v ", .before_face = "f ", .first_index = 1}, file);
 }
 
 }  // namespace isomatch::mesh_io

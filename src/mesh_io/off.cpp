@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <cstdint>
+#include <string_view>
 
 #include "mesh_io/checks.h"
 #include "mesh_io/formats.h"
 #include "mesh_io/polygon.h"
+#include "mesh_io/text_writer.h"
 #include "text_cursor.h"
 
 namespace isomatch::mesh_io {
@@ -102,17 +103,7 @@ ReadResult read_off(const InputFile& file) {
 
 void write_off(const Mesh& mesh, AtomicFile& file) {
   file.write(fmt::format("OFF\n{} {} 0\n", mesh.num_vertices(), mesh.num_faces()));
-  fmt::memory_buffer line;
-  for (const Point& p : mesh.vertices) {
-    line.clear();
-    fmt::format_to(std::back_inserter(line), FMT_COMPILE("{} {} {}\n"), p.x(), p.y(), p.z());
-    file.write({line.data(), line.size()});
-  }
-  for (const auto& [a, b, c] : mesh.faces) {
-    line.clear();
-    fmt::format_to(std::back_inserter(line), FMT_COMPILE("3 {} {} {}\n"), a, b, c);
-    file.write({line.data(), line.size()});
-  }
+  write_text(mesh, {.before_vertex = "", .before_face = "3 ", .first_index = 0}, file);
 }
 
 }  // namespace isomatch::mesh_io

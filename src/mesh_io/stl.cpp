@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "mesh_io/binary_cursor.h"
 #include "mesh_io/checks.h"
@@ -137,8 +139,8 @@ ReadResult read_stl(const InputFile& file) {
     if (!solid) file.fail("too short for a binary STL file, and an ASCII one begins with solid");
     return AsciiReader(file).read();
   }
-  // Many binary files begin with solid too. Text has no zero bytes, almost every binary header
-  // does.
+  // Many binary files begin with solid too, but text has no zero bytes, and almost every binary
+  // header has some.
   const bool text = file.content().substr(0, kHeaderBytes).find('\0') == std::string_view::npos;
   return solid && text && !has_binary_size(file) ? AsciiReader(file).read() : read_binary(file);
 }

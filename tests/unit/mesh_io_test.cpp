@@ -21,7 +21,6 @@
 namespace isomatch {
 namespace {
 
-using test::read_content;
 using test::read_file;
 using test::TemporaryFolder;
 using test::tetrahedron;

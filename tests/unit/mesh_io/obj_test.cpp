@@ -96,13 +96,12 @@ TEST(ReadObj, NamesBadFaces) {
   EXPECT_EQ(error("f 1 2 9\nf 1 2 5"),
             "line 6: vertex index 9 is out of range, there are 4 vertices counted from 1");
   EXPECT_EQ(error("f 0 1 2"),
-            "line 6: vertex index 0 is out of range, there are 4 vertices counted from 1");
+            "line 6: vertex index 0 is out of range, vertices are counted from 1");
   EXPECT_EQ(error("f 1 2 -5"),
-            "line 6: vertex index -5 is out of range, there are 4 vertices counted from 1");
+            "line 6: vertex index -5 is out of range, 4 vertices stand before it");
   EXPECT_EQ(
       error("f 1 2 -9223372036854775808"),
-      "line 6: vertex index -9223372036854775808 is out of range, there are 4 vertices counted "
-      "from 1");
+      "line 6: vertex index -9223372036854775808 is out of range, 4 vertices stand before it");
   EXPECT_EQ(
       error("f 1 2 9223372036854775807"),
       "line 6: vertex index 9223372036854775807 is out of range, there are 4 vertices counted "

@@ -67,7 +67,7 @@ TEST(ReadOff, PassesOverColoursNormalsAndTextureCoordinates) {
 
 TEST(ReadOff, TakesNumbersInAnyNotation) {
   const Mesh mesh =
-      read_content("off", "OFF\n3 1 0\n+1.5 -0 1e-3\n1E+2 .5 5.\n1e-400 -0.0 4.9e-324\n3 0 1 2\n");
+      read_content("off", "OFF\n3 1 0\n+1.5 -0 1e-3\n1E+2 .5 5.\n00 -0.0 4.9e-324\n3 0 1 2\n");
   EXPECT_EQ(mesh.vertices[0], Point(1.5, 0, 1e-3));
   EXPECT_TRUE(std::signbit(mesh.vertices[0].y()));
   EXPECT_EQ(mesh.vertices[1], Point(100, 0.5, 5));
@@ -75,12 +75,9 @@ TEST(ReadOff, TakesNumbersInAnyNotation) {
 }
 
 TEST(ReadOff, NumbersTooSmallForADoubleAreZero) {
-  const std::string zeros(400, '0');
-  const Mesh mesh = read_content(
-      "off", "OFF\n3 1 0\n1e-400 0 0\n0." + zeros + "1 1 0\n0." + zeros + "1E-3 0 0\n3 0 1 2\n");
-  EXPECT_EQ(mesh.vertices[0].x(), 0);
-  EXPECT_EQ(mesh.vertices[1].x(), 0);
-  EXPECT_EQ(mesh.vertices[2].x(), 0);
+  const Mesh mesh =
+      read_content("off", "OFF\n3 1 0\n1e-400 -2.5E-99999 3e-324\n0 1 0\n1 0 0\n3 0 1 2\n");
+  EXPECT_EQ(mesh.vertices[0], Point(0, 0, 4.9e-324));
 }
 
 TEST(ReadOff, CutsPolygonsIntoFans) {
@@ -147,6 +144,8 @@ TEST(ReadOff, NamesBadVertices) {
   EXPECT_EQ(error("0 -inf 0"), "line 4: expected a finite number, found '-inf'");
   EXPECT_EQ(error("0 0 1e999"), "line 4: expected a number that fits a double, found '1e999'");
   EXPECT_EQ(error("1" + std::string(400, '0') + " 0 0"),
+            "line 4: expected a number that fits a double, found '100000000000000000000000...'");
+  EXPECT_EQ(error("1" + std::string(400, '0') + "e-10 0 0"),
             "line 4: expected a number that fits a double, found '100000000000000000000000...'");
   EXPECT_EQ(error("\x01\xff\n 0 0"), "line 4: expected a number, found '\\x01\\xff'");
 }

@@ -74,9 +74,9 @@ TEST(ReadStl, TakesAscii) {
 
 TEST(ReadStl, TakesAsciiInUpperCaseAndAnyLayout) {
   std::string content;
-  for (const char c : "endsolid\n" + kFirst + kSecond)
+  for (const char c : kFirst + kSecond)
     content += c == '\n' ? ' ' : static_cast<char>(std::toupper(c));
-  expect_two_triangles("SOLID\n" + content.substr(9) + "ENDSOLID");
+  expect_two_triangles("SOLID\n" + content + "ENDSOLID");
   content.clear();
   for (const char c : kFirst + kSecond) content += c == ' ' ? '\n' : c;
   expect_two_triangles("solid\n" + content + "endsolid");
