@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "isomatch/error.h"
@@ -84,15 +85,17 @@ double MatchDistortion::operator()(int source_row, int target_row) const {
   return (sum - std::abs(a[own] - b[own])) / static_cast<double>(a.size() - 1);
 }
 
-DistortionSummary summarize(const MatchDistortion& distortion, const Correspondence& matches) {
-  DistortionSummary summary;
-  for (const Match& match : matches) {
-    const double value = distortion(match.source, match.target);
-    summary.mean += value;
-    summary.max = std::max(summary.max, value);
-  }
-  if (!matches.empty()) summary.mean /= static_cast<double>(matches.size());
-  return summary;
+std::vector<double> MatchDistortion::of(const Correspondence& matches) const {
+  std::vector<double> values;
+  values.reserve(matches.size());
+  for (const Match& match : matches) values.push_back((*this)(match.source, match.target));
+  return values;
+}
+
+DistortionSummary summarize(std::span<const double> d_iso) {
+  if (d_iso.empty()) return {};
+  const double sum = std::accumulate(d_iso.begin(), d_iso.end(), 0.0);
+  return {sum / static_cast<double>(d_iso.size()), *std::ranges::max_element(d_iso)};
 }
 
 }  // namespace isomatch

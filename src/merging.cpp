@@ -22,13 +22,6 @@ struct Choice {
   }
 };
 
-Correspondence as_matches(const std::vector<int>& target_of_source) {
-  Correspondence matches;
-  for (int s = 0; s < static_cast<int>(target_of_source.size()); ++s)
-    matches.push_back({s, target_of_source[s]});
-  return matches;
-}
-
 void sort_unique(std::vector<int>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -76,8 +69,8 @@ class Merger {
       if (moved == 0) break;
       set_list(matching_.target_of_source);
     }
-    result.many_to_one_distortion = summarize(distortion_, as_matches(result.many_to_one));
-    result.distortion = summarize(distortion_, matching_.matches());
+    result.many_to_one_distortion = distortion_.of(to_correspondence(result.many_to_one));
+    result.distortion = distortion_.of(matching_.matches());
     result.merged = std::move(matching_);
     return result;
   }
@@ -156,7 +149,8 @@ class Merger {
 
   /// Step 3: moves what exceeds the multiple of the mean; returns how many matches changed.
   int move_outliers() {
-    const double limit = options_.outlier_factor * summarize(distortion_, matching_.matches()).mean;
+    const double limit =
+        options_.outlier_factor * summarize(distortion_.of(matching_.matches())).mean;
     int moved = 0;
 #pragma omp parallel for schedule(dynamic, 16) num_threads(context_.threads) reduction(+ : moved)
     for (int s = 0; s < num_source_; ++s) {
@@ -215,7 +209,7 @@ void MergingOptions::validate() const {
 }
 
 Correspondence BaseMatching::matches() const {
-  Correspondence result = as_matches(target_of_source);
+  Correspondence result = to_correspondence(target_of_source);
   for (int t = 0; t < static_cast<int>(source_of_isolated.size()); ++t) {
     if (source_of_isolated[t] != kUnmatched) result.push_back({source_of_isolated[t], t});
   }

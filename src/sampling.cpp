@@ -15,7 +15,7 @@ BaseSampling sample_bases(const Shape& shape, std::span<const int> order,
   const auto cover_patch = [&](int base) {
     double area = 0;
     for (const auto& [v, distance] : search.ball(base, radius)) {
-      covered[v] = true;
+      if (v == base || radius > 0) covered[v] = true;
       area += shape.vertex_areas[v];
     }
     sampling.largest_patch_area = std::max(sampling.largest_patch_area, area);

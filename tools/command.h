@@ -20,6 +20,7 @@ struct Request {
 /// Each adds one subcommand: its options, an example as footer, and a callback that sets
 /// `request.action`. A new subcommand is a file with such a function, a line here, and a line in
 /// main.cpp. `request` must outlive `app`.
+void add_match(CLI::App& app, Request& request);
 void add_info(CLI::App& app, Request& request);
 void add_eval(CLI::App& app, Request& request);
 

@@ -7,13 +7,17 @@
 
 namespace isomatch::cli {
 
-Shape load_shape(const std::string& path, const Context& context) {
-  const Mesh mesh = read_mesh(path);
+Shape prepare_loaded(const std::string& path, const Mesh& mesh, const GeodesicOptions& options,
+                     const Context& context) {
   try {
-    return prepare_shape(mesh, {}, context);
+    return prepare_shape(mesh, options, context);
   } catch (const InvalidInput& error) {
     throw BadFile(path, error.what());
   }
+}
+
+Shape load_shape(const std::string& path, const Context& context) {
+  return prepare_loaded(path, read_mesh(path), {}, context);
 }
 
 }  // namespace isomatch::cli

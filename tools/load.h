@@ -8,6 +8,10 @@
 
 namespace isomatch::cli {
 
+/// `prepare_shape` of a mesh that was read from `path`. What makes it unusable is a `BadFile`.
+Shape prepare_loaded(const std::string& path, const Mesh& mesh, const GeodesicOptions& options,
+                     const Context& context);
+
 /// Reads a mesh and prepares it. What makes it unusable is a `BadFile` that names `path`.
 Shape load_shape(const std::string& path, const Context& context);
 

@@ -27,9 +27,10 @@ void describe_program(CLI::App& app, Request& request) {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
-  add_info(app, request);
+  add_match(app, request);
   add_eval(app, request);
-  set_example(app, "isomatch info horse.off");
+  add_info(app, request);
+  set_example(app, "isomatch match cat0.off cat1.off -o cats");
 }
 
 void flush_output() {

@@ -74,6 +74,8 @@ class MatchDistortion {
 
   /// d_iso of the match between two rows, in [0, 1]; 0 against an empty list. O(E).
   double operator()(int source_row, int target_row) const;
+  /// d_iso of each of `matches`, whose indices are rows.
+  std::vector<double> of(const Correspondence& matches) const;
   /// E, the number of matches in the list.
   int list_size() const { return source_.num_landmarks(); }
 
@@ -83,13 +85,14 @@ class MatchDistortion {
   std::vector<int> own_entry_;
 };
 
-/// Mean and maximum of d_iso over a correspondence: D_iso and d_iso-dagger (Equations 1 and 4).
+/// D_iso and d_iso-dagger: mean and maximum of d_iso over the matches of a correspondence
+/// (Equations 1 and 4).
 struct DistortionSummary {
   double mean = 0;
   double max = 0;
 };
 
-/// Summary over `matches`, whose indices are rows of `distortion`.
-DistortionSummary summarize(const MatchDistortion& distortion, const Correspondence& matches);
+/// Both of them zero if there are no matches.
+DistortionSummary summarize(std::span<const double> d_iso);
 
 }  // namespace isomatch

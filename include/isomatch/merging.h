@@ -67,8 +67,8 @@ struct MergeResult {
   BaseMatching merged;
   /// Outliers that step 3 moved.
   int outliers_moved = 0;
-  /// D_iso and d_iso-dagger of `many_to_one` and `merged` against the list of the latter.
-  DistortionSummary many_to_one_distortion, distortion;
+  /// d_iso of `many_to_one` and of `merged.matches()`, match by match, against the final list.
+  std::vector<double> many_to_one_distortion, distortion;
 };
 
 /// Section 4.2: merges the union of the patch matchings (`proposals`, xi(k,0), in which every base

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "isomatch/context.h"
@@ -11,6 +10,7 @@
 #include "isomatch/patch_matching.h"
 #include "isomatch/saliency.h"
 #include "isomatch/shape.h"
+#include "isomatch/stage_times.h"
 
 namespace isomatch {
 
@@ -24,6 +24,10 @@ struct RadiusOptions {
   /// r(k) is at most this multiple of r(k-1). By the rule alone the radius stays where it is once
   /// the area of a single vertex is that of the largest patch, and the levels never end.
   double max_radius_ratio = 0.7;
+  /// A shape of whose vertices this share are bases takes all the others at the next level (radius
+  /// 0). On meshes with a few short edges the radii would need ten more levels to separate the last
+  /// vertices, at the full cost of each.
+  double full_share = 0.9;
 
   /// Throws `InvalidInput` if a value is out of range.
   void validate() const;
@@ -42,7 +46,8 @@ struct PaperOptions {
   /// 1 is the paper's text.
   int coarse_candidates = 8;
   int candidate_levels = 4;
-  /// Levels after level 0; levels also end when every vertex of both shapes is a base vertex.
+  /// The last level; levels levels also end when every vertex of both shapes is a base
+  /// vertex.
   int max_levels = 100;
 
   /// Throws `InvalidInput` if a value is out of range.
@@ -55,27 +60,35 @@ struct PaperLevel {
   /// r_S(k) and r_T(k), in units of the coordinates.
   float source_radius = 0, target_radius = 0;
   int source_bases = 0, target_bases = 0;
-  /// xi(k,1): target base of every source base.
+  /// xi(k,1): target base of every source base, and d_iso of each.
   std::vector<int> many_to_one;
-  /// xi(k): every base of both shapes occurs.
+  std::vector<double> many_to_one_distortion;
+  /// xi(k): every base of both shapes occurs. d_iso of each match.
   Correspondence matches;
-  /// D_iso and d_iso-dagger of `many_to_one` and `matches`, against the list of E matches.
-  DistortionSummary many_to_one_distortion, distortion;
+  std::vector<double> distortion;
+  /// Outliers that step 3 of the merging moved.
   int outliers_moved = 0;
 };
 
 struct PaperResult {
-  /// Base vertices in the order of selection, as vertices of the surfaces; all of them at the last
-  /// level if `complete`.
+  /// Base vertices in the order of selection, as vertices of the surfaces.
   std::vector<int> source_bases, target_bases;
+  /// At least level 0. d_iso refers to distances over the largest geodesic and to the list of E
+  /// matches of each level.
   std::vector<PaperLevel> levels;
+  /// Target vertex of every source vertex of the surfaces: the matches of the last level without
+  /// those that were added for isolated targets. `kUnmatched` for vertices that are no bases.
+  VertexMap source_to_target;
   /// True if every vertex of both surfaces is matched.
   bool complete = false;
+  std::vector<StageTime> times;
 };
 
 /// The method of the paper: coarse-to-fine joint sampling, patch-based combinatorial matching and
-/// three-step merging, level by level. Departures from the text are named, with their reasons, in
-/// `RadiusOptions`, `MatchPatches...` and `merge_matches`. O(N log N).
+/// three-step merging, level by level. Departures from the text stand, with their reasons, at
+/// `RadiusOptions`, `PaperOptions::coarse_candidates`, `PatchMatchingOptions` and `merge_matches`.
+/// O(N log N). Deterministic for any number of threads. Throws `InvalidInput` if an option is out
+/// of range, `Cancelled` if `context` says so.
 PaperResult match_paper(const Shape& source, const Shape& target, const PaperOptions& options = {},
                         const Context& context = {});
 

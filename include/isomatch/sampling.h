@@ -23,7 +23,8 @@ struct BaseSampling {
 
 /// Section 3, one level: starts from the `inherited` base vertices and adds the first vertex of
 /// `order` that no patch covers until all are covered. New base vertices are more than `radius`
-/// apart from all others; every vertex is within `radius` of a base vertex. Cost: one ball a base.
+/// apart from all others; every vertex is within `radius` of a base vertex. With radius 0 all
+/// vertices become bases, those that coincide as well. Cost: one ball a base.
 BaseSampling sample_bases(const Shape& shape, std::span<const int> order,
                           std::span<const int> inherited, float radius);
 

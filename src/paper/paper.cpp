@@ -34,7 +34,9 @@ float radius_of_area(double area, const RadiusOptions& options) {
   return static_cast<float>(options.radius_factor * std::sqrt(area / std::numbers::pi));
 }
 
-float next_radius(const BaseSampling& previous, const RadiusOptions& options) {
+float next_radius(const Shape& shape, const BaseSampling& previous, const RadiusOptions& options) {
+  const double share = static_cast<double>(previous.bases.size()) / shape.num_vertices();
+  if (share >= options.full_share) return 0;
   return std::min(radius_of_area(previous.largest_patch_area, options),
                   static_cast<float>(options.max_radius_ratio) * previous.radius);
 }
@@ -59,7 +61,7 @@ ShapeLevel finer_shape_level(const Shape& shape, const SamplingOrders& orders,
                              const Context& context) {
   ShapeLevel level;
   level.sampling = sample_bases(shape, orders.finer, previous.sampling.bases,
-                                next_radius(previous.sampling, options));
+                                next_radius(shape, previous.sampling, options));
   level.neighbourhoods =
       BaseNeighbourhoods(shape, level.sampling.bases, 2 * previous.sampling.radius, context);
   return level;
@@ -83,24 +85,29 @@ Correspondence union_of(const std::vector<PatchMatching>& patches) {
 struct Hypothesis {
   std::vector<MatchedLevel> levels;
 
-  double distortion() const { return levels.back().merge.distortion.mean; }
+  double distortion() const { return summarize(levels.back().merge.distortion).mean; }
 };
 
 /// Samples and matches level by level.
 class Descent {
  public:
   Descent(const Shape& source, const Shape& target, const PaperOptions& options,
-          const Context& context)
+          const Context& context, std::vector<StageTime>& times)
       : source_(source),
         target_(target),
         options_(options),
         context_(context),
-        source_orders_(sampling_orders(source, options.saliency, context)),
-        target_orders_(sampling_orders(target, options.saliency, context)),
+        times_(times),
         source_fields_(source),
-        target_fields_(target) {}
+        target_fields_(target) {
+    const StageTimer timer(times_, "saliency");
+    source_orders_ = sampling_orders(source, options.saliency, context);
+    target_orders_ = sampling_orders(target, options.saliency, context);
+  }
 
+  /// Section 3.
   void sample_level() {
+    const StageTimer timer(times_, "sampling");
     if (sampled_.empty()) {
       sampled_.push_back(coarsest_level());
     } else {
@@ -112,9 +119,7 @@ class Descent {
   std::vector<Hypothesis> match_coarsest() {
     const SampledLevel& level = sampled_.front();
     std::vector<Hypothesis> hypotheses;
-    for (Correspondence& matches :
-         match_whole_surfaces({level.source, source_}, {level.target, target_},
-                              options_.coarse_candidates, options_.patches)) {
+    for (Correspondence& matches : coarsest_matchings(level)) {
       std::vector<PatchMatching> patches{{{0, 0}, std::move(matches)}};
       hypotheses.push_back({{merged(level, std::move(patches), {})}});
     }
@@ -127,16 +132,19 @@ class Descent {
     const SampledLevel& level = sampled_.back();
     const MatchedLevel& previous = hypothesis.levels.back();
     const std::vector<int>& inherited = previous.merge.merged.target_of_source;
-    std::vector<PatchMatching> patches = match_patch_pairs(
-        coarser, previous, {level.source, source_}, {level.target, target_},
-        landmark_distortion(level, inherited, source_fields_, target_fields_, context_),
-        options_.patches, context_);
-    hypothesis.levels.push_back(merged(level, std::move(patches), inherited));
+    hypothesis.levels.push_back(
+        merged(level, matched_patches(coarser, level, previous), inherited));
   }
 
   bool complete() const {
     return sampled_.back().source.num_bases() == source_.num_vertices() &&
            sampled_.back().target.num_bases() == target_.num_vertices();
+  }
+
+  /// Share of the levels that is done: they are about equally many for each doubling of the bases.
+  double progress() const {
+    const double bases = sampled_.back().source.num_bases();
+    return std::log(bases) / std::log(std::max(2, source_.num_vertices()));
   }
 
   const std::vector<SampledLevel>& sampled() const { return sampled_; }
@@ -166,9 +174,25 @@ class Descent {
     return farthest_points(source_.graph, bases, options_.list_size);
   }
 
+  std::vector<Correspondence> coarsest_matchings(const SampledLevel& level) {
+    const StageTimer timer(times_, "patch matching");
+    return match_whole_surfaces({level.source, source_}, {level.target, target_},
+                                options_.coarse_candidates, options_.patches);
+  }
+
+  std::vector<PatchMatching> matched_patches(const SampledLevel& coarser, const SampledLevel& level,
+                                             const MatchedLevel& previous) {
+    const StageTimer timer(times_, "patch matching");
+    const MatchDistortion distortion = landmark_distortion(
+        level, previous.merge.merged.target_of_source, source_fields_, target_fields_, context_);
+    return match_patch_pairs(coarser, previous, {level.source, source_}, {level.target, target_},
+                             distortion, options_.patches, context_);
+  }
+
   /// Section 4.2.
   MatchedLevel merged(const SampledLevel& level, std::vector<PatchMatching> patches,
                       const std::vector<int>& inherited) {
+    const StageTimer timer(times_, "merging");
     MergeResult merge = merge_matches(level, union_of(patches), inherited, source_fields_,
                                       target_fields_, options_.merging, context_);
     return {std::move(patches), std::move(merge)};
@@ -178,6 +202,7 @@ class Descent {
   const Shape& target_;
   const PaperOptions& options_;
   const Context& context_;
+  std::vector<StageTime>& times_;
   SamplingOrders source_orders_, target_orders_;
   FieldStore source_fields_, target_fields_;
   std::vector<SampledLevel> sampled_;
@@ -188,7 +213,7 @@ void keep_least_distorted(std::vector<Hypothesis>& hypotheses) {
   hypotheses.resize(1);
 }
 
-PaperLevel summary_of(const SampledLevel& sampled, MatchedLevel matched) {
+PaperLevel result_of(const SampledLevel& sampled, MatchedLevel matched) {
   PaperLevel level;
   level.source_radius = sampled.source.sampling.radius;
   level.target_radius = sampled.target.sampling.radius;
@@ -196,19 +221,35 @@ PaperLevel summary_of(const SampledLevel& sampled, MatchedLevel matched) {
   level.target_bases = sampled.target.num_bases();
   level.matches = matched.merge.merged.matches();
   level.many_to_one = std::move(matched.merge.many_to_one);
-  level.many_to_one_distortion = matched.merge.many_to_one_distortion;
-  level.distortion = matched.merge.distortion;
+  level.many_to_one_distortion = std::move(matched.merge.many_to_one_distortion);
+  level.distortion = std::move(matched.merge.distortion);
   level.outliers_moved = matched.merge.outliers_moved;
   return level;
+}
+
+PaperResult result_of(const Shape& source, const std::vector<SampledLevel>& sampled,
+                      Hypothesis hypothesis) {
+  PaperResult result;
+  result.source_bases = sampled.back().source.sampling.bases;
+  result.target_bases = sampled.back().target.sampling.bases;
+  result.source_to_target.assign(source.num_vertices(), kUnmatched);
+  const std::vector<int>& image = hypothesis.levels.back().merge.merged.target_of_source;
+  for (std::size_t s = 0; s < image.size(); ++s)
+    result.source_to_target[result.source_bases[s]] = result.target_bases[image[s]];
+  for (std::size_t k = 0; k < sampled.size(); ++k)
+    result.levels.push_back(result_of(sampled[k], std::move(hypothesis.levels[k])));
+  return result;
 }
 
 }  // namespace
 
 void RadiusOptions::validate() const {
   if (!(radius_factor > 0)) throw InvalidInput("radius_factor must be positive");
-  if (max_coarse_bases < 1) throw InvalidInput("max_coarse_bases must be at least 1");
+  if (max_coarse_bases < 1 || max_coarse_bases > 12)
+    throw InvalidInput("max_coarse_bases must be in [1, 12]");
   if (!(max_radius_ratio > 0 && max_radius_ratio < 1))
     throw InvalidInput("max_radius_ratio must be between 0 and 1");
+  if (!(full_share > 0 && full_share <= 1)) throw InvalidInput("full_share must be in (0, 1]");
 }
 
 void PaperOptions::validate() const {
@@ -218,31 +259,27 @@ void PaperOptions::validate() const {
   merging.validate();
   if (list_size < 1) throw InvalidInput("list_size must be at least 1");
   if (coarse_candidates < 1) throw InvalidInput("coarse_candidates must be at least 1");
-  if (candidate_levels < 1) throw InvalidInput("candidate_levels must be at least 1");
+  if (candidate_levels < 0) throw InvalidInput("candidate_levels must not be negative");
   if (max_levels < 0) throw InvalidInput("max_levels must not be negative");
 }
 
 PaperResult match_paper(const Shape& source, const Shape& target, const PaperOptions& options,
                         const Context& context) {
   options.validate();
-  Descent descent(source, target, options, context);
+  std::vector<StageTime> times;
+  Descent descent(source, target, options, context, times);
   descent.sample_level();
   std::vector<Hypothesis> hypotheses = descent.match_coarsest();
   for (int k = 1; k <= options.max_levels && !descent.complete(); ++k) {
-    context.check_stop();
+    context.report(descent.progress(), "matching");
     descent.sample_level();
     for (Hypothesis& hypothesis : hypotheses) descent.match_level(hypothesis);
     if (k == options.candidate_levels) keep_least_distorted(hypotheses);
   }
   keep_least_distorted(hypotheses);
-
-  PaperResult result;
-  const std::vector<SampledLevel>& sampled = descent.sampled();
-  for (std::size_t k = 0; k < sampled.size(); ++k)
-    result.levels.push_back(summary_of(sampled[k], std::move(hypotheses.front().levels[k])));
-  result.source_bases = sampled.back().source.sampling.bases;
-  result.target_bases = sampled.back().target.sampling.bases;
+  PaperResult result = result_of(source, descent.sampled(), std::move(hypotheses.front()));
   result.complete = descent.complete();
+  result.times = std::move(times);
   return result;
 }
 

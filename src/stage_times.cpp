@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/stage_times.h"
+
+#include <algorithm>
+
+namespace isomatch {
+
+StageTimer::~StageTimer() {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  auto entry = std::ranges::find(times_, stage_, &StageTime::stage);
+  if (entry == times_.end()) entry = times_.insert(times_.end(), {std::string(stage_), 0});
+  entry->seconds += elapsed.count();
+}
+
+}  // namespace isomatch
