@@ -46,8 +46,7 @@ struct PaperOptions {
   /// 1 is the paper's text.
   int coarse_candidates = 8;
   int candidate_levels = 4;
-  /// The last level; levels levels also end when every vertex of both shapes is a base
-  /// vertex.
+  /// The last level K; levels also end when every vertex of both shapes is a base vertex.
   int max_levels = 100;
 
   /// Throws `InvalidInput` if a value is out of range.

@@ -259,7 +259,7 @@ void PaperOptions::validate() const {
   merging.validate();
   if (list_size < 1) throw InvalidInput("list_size must be at least 1");
   if (coarse_candidates < 1) throw InvalidInput("coarse_candidates must be at least 1");
-  if (candidate_levels < 0) throw InvalidInput("candidate_levels must not be negative");
+  if (candidate_levels < 1) throw InvalidInput("candidate_levels must be at least 1");
   if (max_levels < 0) throw InvalidInput("max_levels must not be negative");
 }
 

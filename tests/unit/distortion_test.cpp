@@ -193,11 +193,11 @@ TEST(Summarize, GivesMeanAndMaximumOfTheMatches) {
     sum += value;
     largest = std::max(largest, value);
   }
-  const DistortionSummary summary = summarize(distortion, matches);
+  const DistortionSummary summary = summarize(distortion.of(matches));
   EXPECT_NEAR(summary.mean, sum / 4, kFloat);
   EXPECT_NEAR(summary.max, largest, kFloat);
-  EXPECT_EQ(summarize(distortion, {}).mean, 0);
-  EXPECT_EQ(summarize(distortion, {}).max, 0);
+  EXPECT_EQ(summarize({}).mean, 0);
+  EXPECT_EQ(summarize({}).max, 0);
 }
 
 }  // namespace
