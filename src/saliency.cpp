@@ -87,6 +87,20 @@ Eigen::VectorXd diffuse(const Mesh& mesh, const Eigen::VectorXd& areas, Eigen::V
   return values;
 }
 
+/// Vertices in an order that starts at one which does not depend on how they are numbered, which
+/// follows from the position of the shape in space: the farthest from that of largest area.
+std::vector<int> vertices_from_extremity(const Shape& shape) {
+  const auto largest = std::ranges::max_element(shape.vertex_areas);
+  std::vector<float> distances(shape.num_vertices());
+  GeodesicSearch(shape.graph)
+      .field(static_cast<int>(largest - shape.vertex_areas.begin()), distances);
+  const auto farthest = std::ranges::max_element(distances) - distances.begin();
+  std::vector<int> vertices(shape.num_vertices());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  std::swap(vertices.front(), vertices[farthest]);
+  return vertices;
+}
+
 std::vector<double> partition_areas(const Shape& shape, std::span<const int> sources) {
   const SourcePartition partition = GeodesicSearch(shape.graph).nearest_source(sources);
   std::vector<double> areas(sources.size(), 0.0);
@@ -106,9 +120,9 @@ void SaliencyOptions::validate() const {
 std::vector<double> integral_geodesic_distance(const Shape& shape, const SaliencyOptions& options,
                                                const Context& context) {
   options.validate();
-  std::vector<int> vertices(shape.num_vertices());
-  std::iota(vertices.begin(), vertices.end(), 0);
-  const std::vector<int> points = farthest_points(shape.graph, vertices, options.integral_points);
+  const std::vector<int> vertices = vertices_from_extremity(shape);
+  std::vector<int> points = farthest_points(shape.graph, vertices, options.integral_points);
+  for (int& point : points) point = vertices[point];
   const std::vector<double> weights = partition_areas(shape, points);
   const std::vector<float> fields = geodesic_fields(shape.graph, points, context);
   const int n = shape.num_vertices();

@@ -341,20 +341,21 @@ TEST(Paper, FindsACreatureThatIsItsOwnMirrorImage) { expect_relabelling(creature
 
 TEST(Paper, FindsALargerCreature) { expect_relabelling(creature(3000, 3, 2)); }
 
-class PaperHorse : public testing::Test {
+class PaperData : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(path_)) GTEST_SKIP() << path_ << " is absent";
   }
 
-  const std::string path_ = ISOMATCH_TEST_DATA "/tosca5k/horse0.off";
+  const std::string path_ = ISOMATCH_TEST_DATA "/tosca5k/" + GetParam() + ".off";
 };
 
-TEST_F(PaperHorse, IsMatchedToItself) { expect_identity(read_mesh(path_)); }
+TEST_P(PaperData, IsMatchedToItself) { expect_identity(read_mesh(path_)); }
 
-TEST_F(PaperHorse, IsFoundNumberedAnewTurnedMovedAndScaled) {
-  expect_relabelling(read_mesh(path_));
-}
+TEST_P(PaperData, IsFoundNumberedAnewTurnedMovedAndScaled) { expect_relabelling(read_mesh(path_)); }
+
+INSTANTIATE_TEST_SUITE_P(Animals, PaperData, testing::Values("horse0", "centaur0"),
+                         [](const auto& test) { return test.param; });
 
 template <class Change>
 void expect_rejected(const Change& change) {
