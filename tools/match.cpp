@@ -19,6 +19,7 @@ struct MatchArguments {
   std::string source, target, folder;
   std::string method = "paper";
   std::string geodesics = "w20";
+  unsigned long seed = 0;
   PaperOptions options;
 };
 
@@ -79,7 +80,8 @@ void print_summary(const MatchRun& run, const std::string& folder) {
 }
 
 Json options_json(const MatchArguments& arguments) {
-  Json json{{"method", arguments.method}, {"geodesics", arguments.geodesics}};
+  Json json{
+      {"method", arguments.method}, {"geodesics", arguments.geodesics}, {"seed", arguments.seed}};
   for_each_paper_option(arguments.options, [&](const char* name, const auto& value, const char*) {
     json[name] = value;
   });
@@ -121,6 +123,10 @@ void add_match(CLI::App& app, Request& request) {
       .add_option("--geodesics", arguments->geodesics,
                   "w20 and w10: straight lines across triangles; edges: as in the paper")
       ->check(CLI::IsMember({"w20", "w10", "edges"}))
+      ->capture_default_str();
+  command
+      .add_option("--seed", arguments->seed,
+                  "Seed of random choices, of which the paper's method makes none")
       ->capture_default_str();
   for_each_paper_option(arguments->options, [&](const char* name, auto& value, const char* help) {
     command.add_option(fmt::format("--{}", name), value, help)->capture_default_str();
