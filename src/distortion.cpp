@@ -92,6 +92,17 @@ std::vector<double> MatchDistortion::of(const Correspondence& matches) const {
   return values;
 }
 
+MatchDistortion landmark_distortion(const SampledLevel& level,
+                                    std::span<const int> target_of_source,
+                                    FieldStore& source_fields, FieldStore& target_fields,
+                                    const Context& context) {
+  Correspondence list;
+  for (int landmark : level.landmarks) list.push_back({landmark, target_of_source[landmark]});
+  return {source_fields, level.source.sampling.bases,
+          target_fields, level.target.sampling.bases,
+          list,          context};
+}
+
 DistortionSummary summarize(std::span<const double> d_iso) {
   if (d_iso.empty()) return {};
   const double sum = std::accumulate(d_iso.begin(), d_iso.end(), 0.0);

@@ -217,17 +217,6 @@ Correspondence BaseMatching::matches() const {
   return result;
 }
 
-MatchDistortion landmark_distortion(const SampledLevel& level,
-                                    std::span<const int> target_of_source,
-                                    FieldStore& source_fields, FieldStore& target_fields,
-                                    const Context& context) {
-  Correspondence list;
-  for (int landmark : level.landmarks) list.push_back({landmark, target_of_source[landmark]});
-  return {source_fields, level.source.sampling.bases,
-          target_fields, level.target.sampling.bases,
-          list,          context};
-}
-
 MergeResult merge_matches(const SampledLevel& level, const Correspondence& proposals,
                           std::span<const int> inherited, FieldStore& source_fields,
                           FieldStore& target_fields, const MergingOptions& options,

@@ -11,7 +11,6 @@
 #include <numeric>
 
 #include "isomatch/error.h"
-#include "isomatch/sampling.h"
 #include "isomatch/topology.h"
 
 namespace isomatch {
@@ -87,18 +86,14 @@ Eigen::VectorXd diffuse(const Mesh& mesh, const Eigen::VectorXd& areas, Eigen::V
   return values;
 }
 
-/// Vertices in an order that starts at one which does not depend on how they are numbered, which
-/// follows from the position of the shape in space: the farthest from that of largest area.
-std::vector<int> vertices_from_extremity(const Shape& shape) {
+/// A vertex that does not depend on how they are numbered, which follows from the position of the
+/// shape in space: the farthest from that of largest area.
+int extremity(const Shape& shape) {
   const auto largest = std::ranges::max_element(shape.vertex_areas);
   std::vector<float> distances(shape.num_vertices());
   GeodesicSearch(shape.graph)
       .field(static_cast<int>(largest - shape.vertex_areas.begin()), distances);
-  const auto farthest = std::ranges::max_element(distances) - distances.begin();
-  std::vector<int> vertices(shape.num_vertices());
-  std::iota(vertices.begin(), vertices.end(), 0);
-  std::swap(vertices.front(), vertices[farthest]);
-  return vertices;
+  return static_cast<int>(std::ranges::max_element(distances) - distances.begin());
 }
 
 std::vector<double> partition_areas(const Shape& shape, std::span<const int> sources) {
@@ -120,9 +115,10 @@ void SaliencyOptions::validate() const {
 std::vector<double> integral_geodesic_distance(const Shape& shape, const SaliencyOptions& options,
                                                const Context& context) {
   options.validate();
-  const std::vector<int> vertices = vertices_from_extremity(shape);
-  std::vector<int> points = farthest_points(shape.graph, vertices, options.integral_points);
-  for (int& point : points) point = vertices[point];
+  std::vector<int> vertices(shape.num_vertices());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  const std::vector<int> points =
+      farthest_points(shape.graph, vertices, options.integral_points, extremity(shape));
   const std::vector<double> weights = partition_areas(shape, points);
   const std::vector<float> fields = geodesic_fields(shape.graph, points, context);
   const int n = shape.num_vertices();

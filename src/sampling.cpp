@@ -3,7 +3,6 @@
 #include "isomatch/sampling.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace isomatch {
 
@@ -27,22 +26,6 @@ BaseSampling sample_bases(const Shape& shape, std::span<const int> order,
     cover_patch(v);
   }
   return sampling;
-}
-
-std::vector<int> farthest_points(const GeodesicGraph& graph, std::span<const int> candidates,
-                                 int count) {
-  std::vector<int> places;
-  std::vector<float> distances(graph.num_vertices(), std::numeric_limits<float>::infinity());
-  GeodesicSearch search(graph);
-  for (int next = 0; static_cast<int>(places.size()) < count;) {
-    places.push_back(next);
-    search.update_field(candidates[next], distances);
-    const auto farthest = std::ranges::max_element(
-        candidates, {}, [&](int candidate) { return distances[candidate]; });
-    if (distances[*farthest] == 0) break;
-    next = static_cast<int>(farthest - candidates.begin());
-  }
-  return places;
 }
 
 BaseNeighbourhoods::BaseNeighbourhoods(const Shape& shape, std::span<const int> bases, float cutoff,

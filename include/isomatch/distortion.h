@@ -8,6 +8,7 @@
 
 #include "isomatch/context.h"
 #include "isomatch/correspondence.h"
+#include "isomatch/sampling.h"
 #include "isomatch/shape.h"
 
 namespace isomatch {
@@ -84,6 +85,12 @@ class MatchDistortion {
   /// For each source row its place in the list or -1.
   std::vector<int> own_entry_;
 };
+
+/// d_iso between all bases of `level` against the matches of its landmarks.
+MatchDistortion landmark_distortion(const SampledLevel& level,
+                                    std::span<const int> target_of_source,
+                                    FieldStore& source_fields, FieldStore& target_fields,
+                                    const Context& context = {});
 
 /// D_iso and d_iso-dagger: mean and maximum of d_iso over the matches of a correspondence
 /// (Equations 1 and 4).

@@ -128,6 +128,12 @@ class GeodesicSearch {
 std::vector<float> geodesic_fields(const GeodesicGraph& graph, std::span<const int> sources,
                                    const Context& context = {});
 
+/// At most `count` places in `candidates` (vertices, not empty), evenly spread: the place `first`,
+/// then always the farthest from those before it; ends early when all have been taken. Ties go to
+/// the earlier place. O(N log N).
+std::vector<int> farthest_points(const GeodesicGraph& graph, std::span<const int> candidates,
+                                 int count, int first = 0);
+
 /// The largest geodesic distance between two connected vertices, approximated from below: exact to
 /// .5 % or the best of 49 fields, whichever comes first. Fields are taken from the vertices that
 /// the triangle inequality still lets be the most eccentric, so it ends after 15 to 40 fields on

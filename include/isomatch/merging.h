@@ -29,25 +29,6 @@ struct MergingOptions {
   void validate() const;
 };
 
-/// The base vertices of one shape at one level and the distances among them. Bases are meant by
-/// their index, 0-based, in the order of selection.
-struct ShapeLevel {
-  BaseSampling sampling;
-  /// Up to twice the sampling radius of the level before, the extent of a parent patch; at level 0
-  /// among all bases.
-  BaseNeighbourhoods neighbourhoods;
-
-  int num_bases() const { return static_cast<int>(sampling.bases.size()); }
-};
-
-/// One level before anything is matched.
-struct SampledLevel {
-  ShapeLevel source, target;
-  /// Source bases, evenly spaced, whose matches make the list xi' (Section 6). They are bases of
-  /// the level before as well, except at level 0.
-  std::vector<int> landmarks;
-};
-
 /// A relation that covers all bases of both shapes.
 struct BaseMatching {
   /// Target base of every source base.
@@ -90,11 +71,5 @@ MergeResult merge_matches(const SampledLevel& level, const Correspondence& propo
                           std::span<const int> inherited, FieldStore& source_fields,
                           FieldStore& target_fields, const MergingOptions& options = {},
                           const Context& context = {});
-
-/// d_iso between all bases of `level` against the matches of its landmarks.
-MatchDistortion landmark_distortion(const SampledLevel& level,
-                                    std::span<const int> target_of_source,
-                                    FieldStore& source_fields, FieldStore& target_fields,
-                                    const Context& context = {});
 
 }  // namespace isomatch

@@ -28,12 +28,6 @@ struct BaseSampling {
 BaseSampling sample_bases(const Shape& shape, std::span<const int> order,
                           std::span<const int> inherited, float radius);
 
-/// At most `count` places in `candidates` (vertices, not empty), evenly spread: the first one, then
-/// always the farthest from those before it; ends early when all have been taken. Ties go to the
-/// earlier place. O(N log N).
-std::vector<int> farthest_points(const GeodesicGraph& graph, std::span<const int> candidates,
-                                 int count);
-
 /// The geodesic distances between base vertices that are close to each other.
 class BaseNeighbourhoods {
  public:
@@ -59,6 +53,25 @@ class BaseNeighbourhoods {
   float cutoff_ = 0;
   std::vector<std::size_t> offsets_{0};
   std::vector<Neighbour> neighbours_;
+};
+
+/// The base vertices of one shape at one level and the distances among them. Bases are meant by
+/// their index, 0-based, in the order of selection.
+struct ShapeLevel {
+  BaseSampling sampling;
+  /// Up to twice the sampling radius of the level before, the extent of a parent patch; at level 0
+  /// among all bases.
+  BaseNeighbourhoods neighbourhoods;
+
+  int num_bases() const { return static_cast<int>(sampling.bases.size()); }
+};
+
+/// One level before anything is matched.
+struct SampledLevel {
+  ShapeLevel source, target;
+  /// Source bases, evenly spaced, whose matches make the list xi' (Section 6). They are bases of
+  /// the level before as well, except at level 0.
+  std::vector<int> landmarks;
 };
 
 }  // namespace isomatch

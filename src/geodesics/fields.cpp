@@ -27,4 +27,20 @@ std::vector<float> geodesic_fields(const GeodesicGraph& graph, std::span<const i
   return fields;
 }
 
+std::vector<int> farthest_points(const GeodesicGraph& graph, std::span<const int> candidates,
+                                 int count, int first) {
+  std::vector<int> places;
+  std::vector<float> distances(graph.num_vertices(), std::numeric_limits<float>::infinity());
+  GeodesicSearch search(graph);
+  for (int next = first; static_cast<int>(places.size()) < count;) {
+    places.push_back(next);
+    search.update_field(candidates[next], distances);
+    const auto farthest = std::ranges::max_element(
+        candidates, {}, [&](int candidate) { return distances[candidate]; });
+    if (distances[*farthest] == 0) break;
+    next = static_cast<int>(farthest - candidates.begin());
+  }
+  return places;
+}
+
 }  // namespace isomatch

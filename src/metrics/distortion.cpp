@@ -26,12 +26,6 @@ std::vector<Match> first_matches(const Correspondence& matches) {
   return first;
 }
 
-/// The match whose source is farthest by `distances`, the first of equals.
-const Match& farthest(const std::vector<Match>& matches, const std::vector<float>& distances) {
-  return *std::ranges::max_element(matches, {},
-                                   [&](const Match& match) { return distances[match.source]; });
-}
-
 /// |g(s, s_l) - g(t, t_l)| of every match, summed over the entries of a list block by block.
 class DistortionSum {
  public:
@@ -96,17 +90,12 @@ std::vector<Match> evenly_spaced_matches(const Shape& source, const Corresponden
                                          int count) {
   if (std::ssize(matches) <= count) return matches;
   const std::vector<Match> candidates = first_matches(matches);
-  std::vector<float> distances(source.num_vertices());
-  GeodesicSearch search(source.graph);
-  search.field(candidates.front().source, distances);
-  Match next = farthest(candidates, distances);
-  std::ranges::fill(distances, std::numeric_limits<float>::infinity());
+  std::vector<int> vertices;
+  for (const Match& match : candidates) vertices.push_back(match.source);
+  const int extremity = farthest_points(source.graph, vertices, 2).back();
   std::vector<Match> chosen;
-  while (std::ssize(chosen) < count && distances[next.source] > 0) {
-    chosen.push_back(next);
-    search.update_field(next.source, distances);
-    next = farthest(candidates, distances);
-  }
+  for (int place : farthest_points(source.graph, vertices, count, extremity))
+    chosen.push_back(candidates[place]);
   return chosen;
 }
 
