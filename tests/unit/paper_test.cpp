@@ -82,7 +82,7 @@ void expect_complete(const PaperResult& result, const Shape& source, const Shape
 class PaperPoses : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    creatures_ = {synthesize({"creature", 800, 1, 1}), synthesize({"creature", 800, 2, 1})};
+    creatures_ = {synthesize({"creature", 1000, 1, 1}), synthesize({"creature", 1000, 2, 1})};
     source_.emplace(prepare_shape(creatures_[0].mesh));
     target_.emplace(prepare_shape(creatures_[1].mesh));
     result_ = match_paper(*source_, *target_);
@@ -219,7 +219,7 @@ TEST_F(PaperPoses, ReportTheDistortionOfEquationsOneAndTwo) {
 
 TEST_F(PaperPoses, AreMatchedAtLittleDistortion) {
   // Geodesic distances between two poses differ by about one percent of the largest; to be half an
-  // edge (1.3 %) off would add about as much. Measured over six creatures: .009 to .010.
+  // edge (1.2 %) off would add about as much. Measured over six creatures: .009 to .010.
   EXPECT_LT(summarize(result_.levels.back().distortion).mean, 0.015);
 }
 
@@ -248,8 +248,8 @@ bool equal(const PaperLevel& a, const PaperLevel& b) {
 TEST(Paper, ThreadsChangeNothing) {
   const auto matched = [](int threads) {
     const Context context = test::with_threads(threads);
-    const Shape source = prepare_shape(creature(600, 1, 2), {}, context);
-    const Shape target = prepare_shape(creature(600, 2, 2), {}, context);
+    const Shape source = prepare_shape(creature(1000, 1, 2), {}, context);
+    const Shape target = prepare_shape(creature(1000, 2, 2), {}, context);
     return match_paper(source, target, {}, context);
   };
   const PaperResult one = matched(1), two = matched(2);
@@ -259,8 +259,8 @@ TEST(Paper, ThreadsChangeNothing) {
 }
 
 TEST(Paper, EndsAfterTheLevelsWanted) {
-  const Shape source = prepare_shape(creature(600, 1, 3));
-  const Shape target = prepare_shape(creature(600, 2, 3));
+  const Shape source = prepare_shape(creature(1000, 1, 3));
+  const Shape target = prepare_shape(creature(1000, 2, 3));
   PaperOptions options;
   options.coarse_candidates = 1;
   options.max_levels = 3;
