@@ -16,7 +16,6 @@
 namespace isomatch::test {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
