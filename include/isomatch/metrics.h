@@ -79,8 +79,9 @@ std::vector<Match> evenly_spaced_matches(const Shape& source, const Corresponden
 
 struct DistortionOptions {
   /// Length E of the list xi' in equation 2, drawn by `evenly_spaced_matches`. If it is at least
-  /// the number of matches, the equations are evaluated exactly. With 500, D_iso of a dense map is
-  /// within about 1 % of that value.
+  /// the number of matches, the equations are evaluated exactly. A shorter list weighs the surface
+  /// by area, where all matches weigh it by vertices: with 500, D_iso of four maps between meshes
+  /// of 5,000 vertices was within 5 % of the exact value (.0136 for .0142), with 50 within 6 %.
   int list_size = 500;
 
   void validate() const;
