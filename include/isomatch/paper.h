@@ -44,7 +44,7 @@ struct PaperOptions {
   /// `candidate_levels`, where the least distorted one stays. Between extremities alone, exchanging
   /// the front hooves of a horse changes less than a step does; with the trunk sampled it shows.
   /// 1 is the paper's text.
-  int coarse_candidates = 8;
+  int coarse_candidates = 24;
   int candidate_levels = 4;
   /// The last level K; levels also end when every vertex of both shapes is a base vertex.
   int max_levels = 100;
