@@ -14,8 +14,11 @@ namespace isomatch {
 class Random {
  public:
   /// Different lists of keys give independent streams.
-  explicit Random(std::initializer_list<std::uint64_t> keys) {
-    for (std::uint64_t key : keys) state_ = (state_ ^ key) + next();
+  Random(std::initializer_list<std::uint64_t> keys) {
+    for (std::uint64_t key : keys) {
+      state_ ^= key;
+      state_ = next();
+    }
   }
 
   std::uint64_t next() {

@@ -30,6 +30,7 @@ void describe_program(CLI::App& app, Request& request) {
   add_match(app, request);
   add_eval(app, request);
   add_info(app, request);
+  add_synth(app, request);
   set_example(app, "isomatch match cat0.off cat1.off -o cats");
 }
 

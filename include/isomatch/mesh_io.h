@@ -45,4 +45,8 @@ Mesh read_mesh(const std::string& path, MeshReadReport* report = nullptr);
 /// if the file cannot be written or the ending is another one. O(N).
 void write_mesh(const std::string& path, const Mesh& mesh);
 
+/// Throws the `BadFile` that `write_mesh` would throw because of `path` alone, for use before long
+/// work. Leaves no trace.
+void check_mesh_output(const std::string& path);
+
 }  // namespace isomatch

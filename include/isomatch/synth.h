@@ -14,8 +14,8 @@ namespace isomatch {
 struct SynthOptions {
   /// One of `synth_shapes()`.
   std::string shape = "creature";
-  /// Wanted number of vertices, 500 to 4,000,000. The mesh has as many within 2 %; how many exactly
-  /// differs from pose to pose.
+  /// Wanted number of vertices, 1,000 to 4,000,000. The mesh has as many within 2 %; how many
+  /// exactly differs from pose to pose.
   int vertices = 5000;
   /// 0 is the rest pose, in which the shape equals its mirror image; every other number bends the
   /// limbs, head, tail and spine in its own way. At least 0.

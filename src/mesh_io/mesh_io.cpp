@@ -38,6 +38,12 @@ const Format& format_of(const std::string& path) {
                                   in_quotes(ending)));
 }
 
+const Format& writable_format_of(const std::string& path) {
+  const Format& format = format_of(path);
+  if (!format.write) throw BadFile(path, "STL files are only read; write .off, .obj or .ply");
+  return format;
+}
+
 void check_size(const Mesh& mesh, const InputFile& file) {
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   if (mesh.vertices.empty()) file.fail("the mesh has no vertices");
@@ -58,9 +64,13 @@ Mesh read_mesh(const std::string& path, MeshReadReport* report) {
   return std::move(result.mesh);
 }
 
+void check_mesh_output(const std::string& path) {
+  writable_format_of(path);
+  const AtomicFile attempt(path);
+}
+
 void write_mesh(const std::string& path, const Mesh& mesh) {
-  const Format& format = format_of(path);
-  if (!format.write) throw BadFile(path, "STL files are only read; write .off, .obj or .ply");
+  const Format& format = writable_format_of(path);
   validate(mesh);
   AtomicFile file(path);
   format.write(mesh, file);

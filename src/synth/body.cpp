@@ -5,20 +5,35 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace isomatch::synth {
 namespace {
 
-Sample limb_sample(const Limb& limb, const Point& p) {
+Sample left_sample(const Limb& limb, const Point& p) {
   Sample result = limb.tubes.front().sample(p);
   for (std::size_t i = 1; i < limb.tubes.size(); ++i)
     result = smooth_min(result, limb.tubes[i].sample(p), limb.blend);
   return result;
 }
 
-Sample mirrored_limb_sample(const Limb& limb, const Point& p) {
-  const Sample sample = limb_sample(limb, mirrored(p));
+Sample right_sample(const Limb& limb, const Point& p) {
+  const Sample sample = left_sample(limb, mirrored(p));
   return {sample.value, mirrored(sample.gradient)};
+}
+
+/// The limb, both sides of it if it is paired; nothing if it is too far away to lower `value`.
+std::optional<Sample> limb_sample(const Limb& limb, const Point& p, double value) {
+  // A side beyond this reach changes neither the other side's sample nor, even where both sides
+  // blend into one, the result.
+  const double reach = value + 2.2 * limb.blend;
+  const bool left = limb.bounds.distance(p) < reach;
+  const bool right = limb.paired && limb.bounds.distance(mirrored(p)) < reach;
+  // The two sides are joined first: smooth_min is symmetric, but not associative.
+  if (left && right) return smooth_min(left_sample(limb, p), right_sample(limb, p), limb.blend);
+  if (left) return left_sample(limb, p);
+  if (right) return right_sample(limb, p);
+  return {};
 }
 
 }  // namespace
@@ -59,6 +74,19 @@ Sample Tube::sample(const Point& p) const {
   return {distance - r, gradient};
 }
 
+Ball bounding_ball(const std::vector<Tube>& tubes) {
+  Eigen::AlignedBox3d box;
+  for (const Tube& tube : tubes) box.extend(tube.origin).extend(tube.at(tube.length));
+  Ball ball{box.center(), 0};
+  for (const Tube& tube : tubes) {
+    // Between two radii the curve through them may rise above both, by less than a tenth.
+    const double widest = 1.1 * *std::max_element(tube.radii.begin(), tube.radii.end());
+    for (const Point& end : {tube.origin, tube.at(tube.length)})
+      ball.radius = std::max(ball.radius, (end - ball.centre).norm() + widest);
+  }
+  return ball;
+}
+
 double Limb::distance(const Point& p) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Tube& tube : tubes) least = std::min(least, tube.sample(p).value);
@@ -68,10 +96,8 @@ double Limb::distance(const Point& p) const {
 Sample Body::sample(const Point& p) const {
   Sample result = trunk.sample(p);
   for (const Limb& limb : limbs) {
-    Sample sample = limb_sample(limb, p);
-    // Left and right are joined first: smooth_min is symmetric, but not associative.
-    if (limb.paired) sample = smooth_min(sample, mirrored_limb_sample(limb, p), limb.blend);
-    result = smooth_min(result, sample, limb.blend);
+    if (const auto sample = limb_sample(limb, p, result.value))
+      result = smooth_min(result, *sample, limb.blend);
   }
   return result;
 }

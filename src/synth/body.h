@@ -35,7 +35,7 @@ struct Tube {
   double length;
   /// Radius at evenly spaced places from the origin to the far end.
   std::array<double, kKeys> radii;
-  /// Width from side to side relative to the height.
+  /// Width from side to side relative to the height, at most 1.
   double width = 1;
 
   /// Coordinate along the axis: 0 at the origin, `length` at the far end.
@@ -44,8 +44,19 @@ struct Tube {
   /// Value and derivative of the radius, constant beyond the ends.
   std::pair<double, double> radius(double axial) const;
   /// Roughly the signed distance to the surface, negative inside; zero exactly on the surface.
+  /// Never below the distance to a ball around the tube.
   Sample sample(const Point& p) const;
 };
+
+struct Ball {
+  Point centre = Point::Zero();
+  double radius = 0;
+
+  double distance(const Point& p) const { return (p - centre).norm() - radius; }
+};
+
+/// A ball around `tubes`.
+Ball bounding_ball(const std::vector<Tube>& tubes);
 
 /// A place where a body bends: an interval of a straight axis.
 struct Joint {
@@ -60,17 +71,19 @@ struct Joint {
 /// One or more tubes that hang together and move by joints of their own. `tubes[0]` meets the
 /// trunk.
 struct Limb {
-  std::vector<Tube> tubes;
+  std::vector<Tube> tubes = {};
   /// Width of the smooth transition to the trunk and between the tubes.
-  double blend;
+  double blend = 0;
   /// True for a limb on the left (x > 0) that has a mirror image on the right.
   bool paired = false;
   /// How the limb turns as a whole. Its interval follows the skin out of the trunk, from
   /// `root_begin` to `root_begin + root.length` in units of `Body::depth`.
-  Joint root;
+  Joint root = {};
   double root_begin = 0;
   /// Joints along `tubes[0]`, from the trunk outwards.
-  std::vector<Joint> joints;
+  std::vector<Joint> joints = {};
+  /// Around the tubes: lets a search pass over limbs that are far away.
+  Ball bounds = {};
 
   /// Smallest value of the tubes' samples, for the limb as given (left).
   double distance(const Point& p) const;

@@ -2,86 +2,103 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "synth/creature.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace isomatch::synth {
 namespace {
 
-Joint joint_along(const Tube& tube, double share, double length, const Vector& low,
-                  const Vector& high) {
-  return {tube.at(share * tube.length), tube.direction, length, low, high};
+/// Width of the smooth transitions between limbs and trunk.
+constexpr double kBlend = 0.08;
+
+/// A unit vector in the plane of symmetry, `angle` radians above z.
+Vector in_profile(double angle) { return {0, std::sin(angle), std::cos(angle)}; }
+
+using Radii = std::array<double, Tube::kKeys>;
+
+Radii scaled(double scale, Radii radii) {
+  for (double& radius : radii) radius *= scale;
+  return radii;
 }
 
-/// Lets `limb` turn about the place where its axis leaves the trunk.
-void add_root(Limb& limb, double axial, double length, const Vector& low, const Vector& high) {
-  const Tube& tube = limb.tubes.front();
-  limb.root = {tube.at(axial), tube.direction, length, low, high};
+/// Scales the radii as a whole and then each a little, which makes a short tube bumpy.
+Radii varied(Random& random, double scale, Radii radii) {
+  for (double& radius : radii) radius *= scale * random.uniform(0.94, 1.06);
+  return radii;
+}
+
+/// A joint of the given length whose middle is at `axial`, with its range reduced where needed to
+/// keep the inner side of the bent tube from folding.
+Joint joint_at(const Tube& tube, double axial, double length, const Vector& low,
+               const Vector& high) {
+  const double limit = 0.45 * length / tube.radius(axial).first;
+  const double share = std::min(1.0, limit / std::max(low.norm(), high.norm()));
+  return {tube.at(axial), tube.direction, length, share * low, share * high};
+}
+
+Joint joint_at(const Tube& tube, double axial, double length, const Vector& reach) {
+  return joint_at(tube, axial, length, -reach, reach);
 }
 
 Tube make_trunk(Random& random) {
-  const double girth = random.uniform(0.85, 1.05);
-  Tube trunk{{0, 0, -0.04}, Vector::UnitZ(), 1.06, {}, 0.85};
-  trunk.radii = {0.17, 0.185, 0.19, 0.22, 0.18};
-  for (double& radius : trunk.radii) radius *= girth * random.uniform(0.95, 1.05);
+  Tube trunk{{0, 0, -0.04}, Vector::UnitZ(), 1.06, {}, random.uniform(0.78, 0.92)};
+  trunk.radii = varied(random, random.uniform(0.85, 1.25), {0.165, 0.185, 0.185, 0.215, 0.175});
   return trunk;
 }
 
-Limb make_leg(Random& random, double z, double length, double thickness) {
-  Tube leg{{0.135, -0.04, z}, Vector(0.06, -1, 0).normalized(), length, {}};
-  leg.radii = {0.11, 0.088, 0.062, 0.056, 0.045};
-  for (double& radius : leg.radii) radius *= thickness * random.uniform(0.95, 1.05);
-  Tube foot{leg.at(length), Vector(0, -0.05, 1).normalized(), random.uniform(0.08, 0.13), {}};
-  foot.radii = {0.048, 0.052, 0.055, 0.05, 0.042};
-  Limb limb{{leg, foot}, 0.08, true, {}, 0, {}};
+/// A pair of legs at `z` that reach `length` below the trunk. Their knees bend towards `knee` along
+/// z.
+Limb make_legs(Random& random, const Tube& trunk, double z, double length, double thickness,
+               double knee) {
+  const double girth = trunk.radius(trunk.axial({0, 0, z})).first;
+  // Any closer together, the thighs would fuse.
+  const double x = std::max(0.12 * thickness + 0.02, 0.75 * trunk.width * girth);
+  Tube leg{{x, -0.04, z}, Vector(random.uniform(0, 0.1), -1, 0).normalized(), length + girth, {}};
+  leg.radii = varied(random, thickness, {0.115, 0.092, 0.062, 0.057, 0.05});
+  Tube foot{leg.at(leg.length), in_profile(-0.05), random.uniform(0.06, 0.13), {}};
+  foot.radii = scaled(thickness, {0.048, 0.053, 0.055, 0.053, 0.05});
+
+  Limb limb{{leg, foot}, kBlend, true};
+  limb.root = joint_at(leg, girth + 0.05, 0.26, {-0.6, -0.1, -0.05}, {0.6, 0.1, 0.25});
+  const Vector knee_bent(knee * 1.3, 0, 0);
+  limb.joints = {joint_at(leg, girth + 0.44 * length, 0.4 * length, knee_bent.cwiseMin(0),
+                          knee_bent.cwiseMax(0)),
+                 joint_at(leg, girth + 0.75 * length, 0.24 * length, {0.6, 0, 0})};
   return limb;
 }
 
-void add_leg_joints(Limb& limb, double knee_sign) {
-  const Tube& leg = limb.tubes.front();
-  add_root(limb, 0.25, 0.22, Vector(-0.5, 0, 0), Vector(0.5, 0, 0.25));
-  const Vector bent = Vector(knee_sign * 0.9, 0, 0);
-  limb.joints.push_back(joint_along(leg, 0.56, 0.2, bent.cwiseMin(0), bent.cwiseMax(0)));
-  limb.joints.push_back(joint_along(leg, 0.82, 0.14, Vector(-0.5, 0, 0), Vector(0.5, 0, 0)));
-}
-
-Limb make_legs(Random& random, double z, double length, double thickness, double knee_sign) {
-  Limb limb = make_leg(random, z, length, thickness);
-  add_leg_joints(limb, knee_sign);
-  return limb;
+Tube make_ear(const Tube& skull, double length, double tilt, double side) {
+  const Vector direction = Vector(side * tilt, 1, -0.3).normalized();
+  Tube ear{skull.at(0.02) + Vector(side * 0.06, 0.06, 0), direction, length, {}};
+  ear.radii = {0.048, 0.05, 0.05, 0.048, 0.043};
+  return ear;
 }
 
 Limb make_head(Random& random) {
-  const double rise = random.uniform(0.6, 1.1);
-  Tube neck{{0, 0.05, 0.98},
-            Vector(0, std::sin(rise), std::cos(rise)),
-            random.uniform(0.45, 0.7),
-            {0.15, 0.125, 0.1, 0.09, 0.088}};
-  Tube skull{neck.at(neck.length),
-             Vector(0, random.uniform(-0.5, -0.2), 1).normalized(),
-             random.uniform(0.22, 0.32),
-             {0.11, 0.108, 0.085, 0.068, 0.056}};
-  Limb limb{{neck, skull}, 0.08, false, {}, 0, {}};
-  for (double side : {-1.0, 1.0}) {
-    Tube ear{skull.origin + Vector(side * 0.065, 0.07, -0.03),
-             Vector(side * 0.5, 1, -0.25).normalized(),
-             0.12,
-             {0.04, 0.042, 0.042, 0.036, 0.028}};
-    limb.tubes.push_back(ear);
-  }
-  add_root(limb, 0.22, 0.22, Vector(-0.4, -0.3, 0), Vector(0.3, 0.3, 0));
-  limb.joints.push_back(
-      joint_along(limb.tubes[0], 0.75, 0.2, Vector(-0.5, -0.5, 0), Vector(0.5, 0.5, 0)));
+  const double rise = random.uniform(0.35, 1.2), girth = random.uniform(0.85, 1.15);
+  Tube neck{{0, 0.04, 0.97}, in_profile(rise), random.uniform(0.5, 0.88), {}};
+  neck.radii = varied(random, girth, {0.155, 0.13, 0.105, 0.095, 0.095});
+  Tube skull{
+      neck.at(neck.length), in_profile(random.uniform(-0.6, 0)), random.uniform(0.18, 0.4), {}};
+  skull.radii = scaled(girth, {0.115, 0.11, 0.085, 0.068, 0.058});
+
+  Limb limb{{neck, skull}, kBlend};
+  const double ear_length = random.uniform(0.1, 0.26), tilt = random.uniform(0.3, 0.9);
+  for (double side : {1.0, -1.0}) limb.tubes.push_back(make_ear(skull, ear_length, tilt, side));
+  limb.root = joint_at(neck, 0.2, 0.24, {0.45, 0.45, 0});
+  limb.joints = {joint_at(neck, neck.length - 0.22, 0.2, {0.6, 0.5, 0.1})};
   return limb;
 }
 
 Limb make_tail(Random& random) {
-  Tube tail{{0, 0.06, -0.08},
-            Vector(0, random.uniform(-0.5, 0.4), -1).normalized(),
-            random.uniform(0.6, 1.0),
-            {0.075, 0.055, 0.045, 0.04, 0.032}};
-  Limb limb{{tail}, 0.08, false, {}, 0, {}};
-  add_root(limb, 0.2, 0.2, Vector(-0.4, -0.4, 0), Vector(0.4, 0.4, 0));
-  for (double share : {0.5, 0.75})
-    limb.joints.push_back(
-        joint_along(tail, share, 0.2, Vector(-0.7, -0.7, 0), Vector(0.7, 0.7, 0)));
+  const double droop = random.uniform(-0.4, 0.8);
+  Tube tail{{0, 0.06, -0.08}, -in_profile(droop), random.uniform(0.5, 1.25), {}};
+  tail.radii = varied(random, random.uniform(0.92, 1.25), {0.08, 0.064, 0.057, 0.053, 0.048});
+
+  Limb limb{{tail}, kBlend};
+  limb.root = joint_at(tail, 0.18, 0.2, {0.5, 0.5, 0});
+  for (double share : {0.45, 0.65, 0.85})
+    limb.joints.push_back(joint_at(tail, share * tail.length, 0.2 * tail.length, {0.7, 0.7, 0}));
   return limb;
 }
 
@@ -91,14 +108,18 @@ Body make_creature(Random& random) {
   Body body;
   body.trunk = make_trunk(random);
   for (double share : {0.35, 0.68})
-    body.spine.push_back(
-        joint_along(body.trunk, share, 0.4, Vector(-0.12, -0.2, 0), Vector(0.12, 0.2, 0)));
-  const double front = random.uniform(0.62, 0.75);
-  const double hind = front * random.uniform(0.75, 0.9);
-  body.limbs.push_back(make_head(random));
-  body.limbs.push_back(make_tail(random));
-  body.limbs.push_back(make_legs(random, 0.9, front, random.uniform(0.85, 1), 1));
-  body.limbs.push_back(make_legs(random, 0.06, hind, random.uniform(1, 1.15), -1));
+    body.spine.push_back(joint_at(body.trunk, share, 0.4, {0.14, 0.18, 0}));
+
+  const double front = random.uniform(0.38, 0.7), hind = front * random.uniform(0.7, 0.88);
+  const double thickness = random.uniform(0.9, 1) * (0.75 + 0.45 * front);
+  const auto legs = [&](double z, double length, double scale, double knee) {
+    return make_legs(random, body.trunk, z, length, scale * thickness, knee);
+  };
+  body.limbs = {make_head(random), make_tail(random), legs(0.9, front, 1, 1),
+                legs(0.05, hind, 1.12, -1)};
+  const bool six_legs = random.below(4) == 0;
+  if (six_legs) body.limbs.push_back(legs(0.48, 0.85 * hind, 0.9, 1));
+  for (Limb& limb : body.limbs) limb.bounds = bounding_ball(limb.tubes);
   return body;
 }
 

@@ -35,17 +35,17 @@ double place_along(const Joint& joint, const Point& p) {
   return std::clamp(joint.direction.dot(p - joint.centre) / joint.length + 0.5, 0.0, 1.0);
 }
 
-Vector draw_rotation(const Joint& joint, Random* random) {
-  if (!random) return Vector::Zero();
+Bend draw_bend(const Joint& joint, double share, Random& random) {
   Vector rotation;
-  for (int i = 0; i < 3; ++i) rotation[i] = random->uniform(joint.low[i], joint.high[i]);
-  return rotation;
+  for (int i = 0; i < 3; ++i) rotation[i] = share * random.uniform(joint.low[i], joint.high[i]);
+  return {joint, rotation};
 }
 
-std::vector<Bend> bends(const std::vector<Joint>& joints, Random* random) {
-  std::vector<Bend> result;
-  for (const Joint& joint : joints) result.emplace_back(joint, draw_rotation(joint, random));
-  return result;
+std::vector<Bend> draw_bends(const std::vector<Joint>& joints, double share, Random& random) {
+  std::vector<Bend> bends;
+  bends.reserve(joints.size());
+  for (const Joint& joint : joints) bends.push_back(draw_bend(joint, share, random));
+  return bends;
 }
 
 }  // namespace
@@ -71,11 +71,12 @@ Point Bend::move(double place, const Point& p) const {
 
 Pose::Pose(const Body& body) : body_(&body) {}
 
-Pose::Pose(const Body& body, Random& random) : body_(&body), spine_(bends(body.spine, &random)) {
+Pose::Pose(const Body& body, double share, Random& random)
+    : body_(&body), spine_(draw_bends(body.spine, share, random)) {
   for (const Limb& limb : body.limbs) {
     for (int side = 0; side < (limb.paired ? 2 : 1); ++side) {
-      Bend root(limb.root, draw_rotation(limb.root, &random));
-      limbs_.push_back({&limb, side == 1, root, bends(limb.joints, &random)});
+      const Bend root = draw_bend(limb.root, share, random);
+      limbs_.push_back({&limb, side == 1, root, draw_bends(limb.joints, share, random)});
     }
   }
 }
@@ -84,7 +85,9 @@ Pose::Nearest Pose::nearest_limb(const Point& p) const {
   Nearest nearest;
   double least = std::numeric_limits<double>::infinity();
   for (const LimbBends& bends : limbs_) {
-    const double distance = bends.limb->distance(bends.right ? mirrored(p) : p);
+    const Point left = bends.right ? mirrored(p) : p;
+    if (bends.limb->bounds.distance(left) >= least) continue;
+    const double distance = bends.limb->distance(left);
     if (distance >= least) continue;
     least = distance;
     nearest.limb = &bends;

@@ -34,8 +34,8 @@ class Pose {
  public:
   /// The body at rest.
   explicit Pose(const Body& body);
-  /// Draws a rotation for every joint within its range. Keeps a reference to `body`.
-  Pose(const Body& body, Random& random);
+  /// Draws a rotation for every joint within `share` of its range. Keeps a reference to `body`.
+  Pose(const Body& body, double share, Random& random);
 
   /// Where a point on or near the skin goes.
   Point operator()(const Point& rest) const;

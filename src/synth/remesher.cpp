@@ -3,6 +3,7 @@
 #include "synth/remesher.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <tuple>
 
@@ -15,6 +16,12 @@ Vector cross(const Point& a, const Point& b, const Point& c) { return (b - a).cr
 double cotangent(const Point& apex, const Point& a, const Point& b) {
   const double sine = (a - apex).cross(b - apex).norm();
   return (a - apex).dot(b - apex) / std::max(sine, 1e-300);
+}
+
+/// 1 for an equilateral triangle, 0 for a degenerate one.
+double quality(const Point& a, const Point& b, const Point& c) {
+  const double sides = (a - b).squaredNorm() + (b - c).squaredNorm() + (c - a).squaredNorm();
+  return 2 * std::sqrt(3.0) * cross(a, b, c).norm() / std::max(sides, 1e-300);
 }
 
 }  // namespace
@@ -144,7 +151,20 @@ Point Remesher::relaxed(int vertex) const {
     sum += area / 3 * (rest_[vertex] + rest_[a] + rest_[b]);
     total += area;
   });
-  return total > 0 ? body_->project(sum / total) : rest_[vertex];
+  if (total == 0) return rest_[vertex];
+  const Point target = body_->project(sum / total);
+  constexpr double kGood = 0.5;
+  return star_quality(vertex, target) >= std::min(kGood, star_quality(vertex, rest_[vertex]))
+             ? target
+             : rest_[vertex];
+}
+
+double Remesher::star_quality(int vertex, const Point& p) const {
+  double least = 1;
+  table_.around(vertex, [&](int c) {
+    least = std::min(least, quality(p, rest_[table_.from(c)], rest_[table_.to(c)]));
+  });
+  return least;
 }
 
 void Remesher::relax() {

@@ -47,6 +47,8 @@ class Remesher {
   std::optional<Point> collapse_target(int corner) const;
   bool fits(int vertex, int other, const Point& target, const Vector& normal) const;
   Point relaxed(int vertex) const;
+  /// Least quality of the triangles around `vertex` if it were at `p`, at rest.
+  double star_quality(int vertex, const Point& p) const;
   void compact();
 
   const Body* body_;

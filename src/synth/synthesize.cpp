@@ -9,6 +9,7 @@
 #include "isomatch/error.h"
 #include "isomatch/synth.h"
 #include "random.h"
+#include "synth/collision.h"
 #include "synth/creature.h"
 #include "synth/ground_truth.h"
 #include "synth/pose.h"
@@ -31,12 +32,17 @@ int vertex_count(const SynthOptions& options, Random& random) {
 Pose make_pose(const Body& body, const SynthOptions& options) {
   if (options.pose == 0) return Pose(body);
   Random random{kPoseStream, options.seed, static_cast<std::uint64_t>(options.pose)};
-  return Pose(body, random);
+  // Ends because at rest nothing collides.
+  for (double share = 1;; share *= 0.97) {
+    const Pose pose(body, share, random);
+    if (!collides(body, pose)) return pose;
+  }
 }
 
-Skin make_template(const Body& body, const SynthOptions& options, const Context& context) {
+std::vector<Point> template_points(const Body& body, const SynthOptions& options, Context context) {
+  context.progress = {};
   Random random{kTemplateStream, options.seed};
-  return mesh_skin(body, Pose(body), kSynthTemplatePoints, random, context);
+  return mesh_skin(body, Pose(body), kSynthTemplatePoints, random, context).rest;
 }
 
 /// Puts vertices and faces in random order and starts each face at a random corner.
@@ -66,8 +72,8 @@ void SynthOptions::validate() const {
   if (std::find(shapes.begin(), shapes.end(), shape) == shapes.end())
     throw InvalidInput(
         fmt::format("unknown shape '{}', known: {}", shape, fmt::join(shapes, ", ")));
-  if (vertices < 500 || vertices > 4'000'000)
-    throw InvalidInput(fmt::format("vertices must be in [500, 4000000], not {}", vertices));
+  if (vertices < 1000 || vertices > 4'000'000)
+    throw InvalidInput(fmt::format("vertices must be in [1000, 4000000], not {}", vertices));
   if (pose < 0) throw InvalidInput(fmt::format("pose must be at least 0, not {}", pose));
 }
 
@@ -82,7 +88,8 @@ SynthShape synthesize(const SynthOptions& options, const Context& context) {
   const int vertices = vertex_count(options, random);
   Skin skin = shuffled(mesh_skin(body, pose, vertices, random, context), random);
 
-  const std::vector<Point> points = make_template(body, options, context).rest;
+  context.report(1, "ground truth");
+  const std::vector<Point> points = template_points(body, options, context);
   const SurfaceLookup lookup(body, skin.rest, context);
   SynthShape result;
   result.ground_truth = lookup.nearest(points);

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/synth.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "command.h"
+#include "isomatch/map_io.h"
+#include "isomatch/mesh_io.h"
+
+namespace isomatch::cli {
+namespace {
+
+struct SynthArguments {
+  SynthOptions options;
+  std::string output;
+};
+
+void run_synth(const SynthArguments& arguments, const Context& context) {
+  check_mesh_output(arguments.output);
+  const SynthShape shape = synthesize(arguments.options, context);
+  const std::filesystem::path path = arguments.output;
+  const auto beside = [&](const char* ending) {
+    return std::filesystem::path(path).replace_extension(ending).string();
+  };
+  write_mesh(path.string(), shape.mesh);
+  write_vts(beside(".vts"), shape.ground_truth);
+  write_vts(beside(".sym.vts"), shape.symmetric_ground_truth);
+}
+
+}  // namespace
+
+void add_synth(CLI::App& app, Request& request) {
+  const auto arguments = std::make_shared<SynthArguments>();
+  SynthOptions& options = arguments->options;
+  CLI::App& command = *app.add_subcommand("synth", "Make a mesh with known correspondence");
+  command
+      .add_option("--shape", options.shape,
+                  fmt::format("What to make, one of: {}", fmt::join(synth_shapes(), ", ")))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command.add_option("--vertices", options.vertices, "Number of vertices, met within 2 %")
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--pose", options.pose, "0 is the rest pose, every other number another one")
+      ->type_name("P")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Decides the shape's proportions")
+      ->type_name("S")
+      ->capture_default_str();
+  command
+      .add_option(
+          "-o,--output", arguments->output,
+          "Mesh file (.off .obj .ply); the ground truth goes beside it, as .vts and .sym.vts")
+      ->type_name("FILE")
+      ->required();
+  add_run_options(command, request);
+  set_example(command, "isomatch synth --vertices 20000 --pose 3 --seed 7 -o creature3.off");
+  command.callback([arguments, &request] {
+    request.action = [arguments](const Context& context) { run_synth(*arguments, context); };
+  });
+}
+
+}  // namespace isomatch::cli
