@@ -55,12 +55,15 @@ class GeodesicGraph {
   std::span<const Arc> arcs(int vertex) const {
     return {arcs_.data() + offsets_[vertex], arcs_.data() + offsets_[vertex + 1]};
   }
-  /// Mean length of the mesh's edges.
+  /// Largest number of arcs of a vertex.
+  int max_degree() const { return max_degree_; }
+  /// Mean length of the mesh's edges, each counted once a face.
   float mean_edge_length() const { return mean_edge_length_; }
 
  private:
   std::vector<std::size_t> offsets_;
   std::vector<Arc> arcs_;
+  int max_degree_ = 0;
   float mean_edge_length_ = 0;
 };
 
@@ -114,13 +117,16 @@ class GeodesicSearch {
  private:
   struct Queue;
 
-  template <class Lower>
-  void propagate(std::span<const float> distances, const Lower& lower);
+  template <class Improves, class Accept>
+  void propagate(std::span<const float> distances, const float& limit, const Improves& improves,
+                 const Accept& accept);
+  void collect(int source, const float& limit);
 
   const GeodesicGraph* graph_;
   std::unique_ptr<Queue> queue_;
   std::vector<float> distances_;
   std::vector<Reached> reached_;
+  std::vector<Reached> improved_;  ///< Scratch for the arcs of one vertex.
 };
 
 /// Distances from each of `sources` (rows) to all vertices (columns), row-major, computed in

@@ -24,7 +24,9 @@ class BucketQueue {
   /// `key` must not be below the key that was popped last.
   void push(float key, int vertex) {
     const float slot = (key - base_) * inverse_width_;
-    (slot < kBuckets ? buckets_[static_cast<int>(slot)] : far_).push_back({key, vertex});
+    const bool open = slot < kBuckets;
+    pending_ += open;
+    (open ? buckets_[static_cast<int>(slot)] : far_).push_back({key, vertex});
   }
 
   /// Takes out the next entry; false and ready for another search if there is none.
@@ -33,31 +35,45 @@ class BucketQueue {
       if (!advance()) return false;
     }
     entry = buckets_[current_][next_++];
+    --pending_;
     return true;
   }
 
+  /// The entry after the one that was popped last, or null if that is not known yet.
+  const Entry* peek() const {
+    return next_ < buckets_[current_].size() ? &buckets_[current_][next_] : nullptr;
+  }
+
  private:
-  /// Buckets that are open at a time, 64 mean edge lengths.
+  /// Buckets that are open at a time: 64 mean edge lengths, more than most arcs.
   static constexpr int kBuckets = 256;
 
   bool advance() {
     buckets_[current_].clear();
     next_ = 0;
-    if (++current_ < kBuckets) return true;
+    if (pending_ > 0) {
+      ++current_;
+      return true;
+    }
     current_ = 0;
     base_ = 0;
     if (far_.empty()) return false;
+    open_far_buckets();
+    return true;
+  }
+
+  void open_far_buckets() {
     base_ = std::ranges::min(far_, {}, &Entry::key).key;
     std::swap(far_, scratch_);
     for (const Entry& entry : scratch_) push(entry.key, entry.vertex);
     scratch_.clear();
-    return true;
   }
 
   float inverse_width_;
-  float base_ = 0;        ///< Where the first bucket starts.
-  int current_ = 0;       ///< The bucket that is being emptied.
-  std::size_t next_ = 0;  ///< Its first entry that was not popped.
+  float base_ = 0;           ///< Where the first bucket starts.
+  int current_ = 0;          ///< The bucket that is being emptied.
+  std::size_t next_ = 0;     ///< Its first entry that was not popped.
+  std::size_t pending_ = 0;  ///< Entries in open buckets that were not popped.
   std::array<std::vector<Entry>, kBuckets> buckets_;
   std::vector<Entry> far_;  ///< Entries beyond the last bucket.
   std::vector<Entry> scratch_;

@@ -31,8 +31,8 @@ class ArcBlocks {
   int first_vertex(int block) const { return block * kVertices; }
   int last_vertex(int block) const { return std::min(num_vertices_, (block + 1) * kVertices); }
   ArcBlock& operator[](int block) { return blocks_[block]; }
-  std::span<const Arc> list(int vertex) const {
-    const ArcBlock& block = blocks_[vertex / kVertices];
+  std::span<Arc> list(int vertex) {
+    ArcBlock& block = blocks_[vertex / kVertices];
     const int i = vertex % kVertices;
     return {block.arcs.data() + (i == 0 ? 0 : block.ends[i - 1]),
             block.arcs.data() + block.ends[i]};
@@ -79,44 +79,57 @@ ArcBlocks unfold_all(const Mesh& mesh, const GeodesicOptions& options, const Con
   return blocks;
 }
 
-/// The arc to `head` in a list sorted by head, or null.
-const Arc* find_arc(std::span<const Arc> arcs, int head) {
-  const auto arc = std::ranges::lower_bound(arcs, head, {}, &Arc::head);
-  return arc != arcs.end() && arc->head == head ? &*arc : nullptr;
-}
-
 /// An arc that was found only from its head's side.
 struct MissingArc {
   int tail;
   Arc arc;
 };
 
-std::vector<MissingArc> missing_arcs(ArcBlocks& blocks, const Context& context) {
-  std::vector<std::vector<MissingArc>> missing(blocks.size());
-#pragma omp parallel for schedule(dynamic) num_threads(context.threads) if (blocks.size() > 1)
-  for (int b = 0; b < blocks.size(); ++b) {
-    for (int v = blocks.first_vertex(b); v < blocks.last_vertex(b); ++v) {
-      for (const Arc& arc : blocks.list(v))
-        if (!find_arc(blocks.list(arc.head), v)) missing[b].push_back({arc.head, {v, arc.length}});
+/// Gives both directions of a line the shorter length. Returns the arcs that lack a reverse, turned
+/// round. Pairs are met in the order of their lower end, so that one step forward in the list of
+/// the upper end finds the reverse.
+std::vector<MissingArc> make_symmetric(ArcBlocks& blocks, int num_vertices) {
+  std::vector<MissingArc> missing;
+  std::vector<int> next(num_vertices, 0);
+  const auto skip_heads_below = [&](int bound, int vertex, std::span<const Arc> arcs) {
+    int& i = next[vertex];
+    for (; i < std::ssize(arcs) && arcs[i].head < bound; ++i)
+      missing.push_back({arcs[i].head, {vertex, arcs[i].length}});
+  };
+  for (int v = 0; v < num_vertices; ++v) {
+    const std::span<Arc> arcs = blocks.list(v);
+    skip_heads_below(v, v, arcs);
+    for (Arc& arc : arcs.subspan(next[v])) {
+      const std::span<Arc> reverse_arcs = blocks.list(arc.head);
+      skip_heads_below(v, arc.head, reverse_arcs);
+      int& i = next[arc.head];
+      if (i < std::ssize(reverse_arcs) && reverse_arcs[i].head == v) {
+        arc.length = reverse_arcs[i].length = std::min(arc.length, reverse_arcs[i].length);
+        ++i;
+      } else {
+        missing.push_back({arc.head, {v, arc.length}});
+      }
     }
   }
-  std::vector<MissingArc> all;
-  for (auto& block : missing) {
-    all.insert(all.end(), block.begin(), block.end());
-    block = {};
-  }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const MissingArc& a, const MissingArc& b) { return a.tail < b.tail; });
-  return all;
+  return missing;
 }
 
-/// Per vertex, where its arcs of `missing` start; one more entry than there are vertices.
-std::vector<std::size_t> starts_by_tail(const std::vector<MissingArc>& missing, int num_vertices) {
-  std::vector<std::size_t> starts(num_vertices + 1, 0);
-  for (const MissingArc& m : missing) ++starts[m.tail + 1];
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  return starts;
-}
+/// `arcs` in lists by tail: that of vertex v is [offsets[v], offsets[v + 1]).
+struct ArcLists {
+  ArcLists(const std::vector<MissingArc>& unsorted, int num_vertices)
+      : offsets(num_vertices + 1, 0), arcs(unsorted.size()) {
+    for (const MissingArc& m : unsorted) ++offsets[m.tail + 1];
+    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+    std::vector<std::size_t> end(offsets.begin(), offsets.end() - 1);
+    for (const MissingArc& m : unsorted) arcs[end[m.tail]++] = m.arc;
+  }
+  std::span<const Arc> operator[](int vertex) const {
+    return {arcs.data() + offsets[vertex], arcs.data() + offsets[vertex + 1]};
+  }
+
+  std::vector<std::size_t> offsets;
+  std::vector<Arc> arcs;
+};
 
 float mean_edge_length(const Mesh& mesh) {
   double sum = 0;
@@ -140,23 +153,22 @@ GeodesicGraph::GeodesicGraph(const Mesh& mesh, const GeodesicOptions& options,
   validate(mesh);
   mean_edge_length_ = isomatch::mean_edge_length(mesh);
   ArcBlocks blocks = unfold_all(mesh, options, context);
-  const std::vector<MissingArc> missing = missing_arcs(blocks, context);
-  const std::vector<std::size_t> starts = starts_by_tail(missing, mesh.num_vertices());
+  const ArcLists missing(make_symmetric(blocks, mesh.num_vertices()), mesh.num_vertices());
 
   offsets_.resize(mesh.vertices.size() + 1, 0);
-  for (int v = 0; v < mesh.num_vertices(); ++v)
-    offsets_[v + 1] = offsets_[v] + blocks.list(v).size() + starts[v + 1] - starts[v];
-  arcs_.resize(offsets_.back());
-#pragma omp parallel for schedule(dynamic, ArcBlocks::kVertices) num_threads(context.threads)
   for (int v = 0; v < mesh.num_vertices(); ++v) {
-    auto out = arcs_.begin() + static_cast<std::ptrdiff_t>(offsets_[v]);
-    std::size_t m = starts[v];
-    for (const Arc& arc : blocks.list(v)) {
-      while (m < starts[v + 1] && missing[m].arc.head < arc.head) *out++ = missing[m++].arc;
-      const Arc* reverse = find_arc(blocks.list(arc.head), v);
-      *out++ = {arc.head, reverse ? std::min(arc.length, reverse->length) : arc.length};
-    }
-    while (m < starts[v + 1]) *out++ = missing[m++].arc;
+    const std::size_t degree = blocks.list(v).size() + missing[v].size();
+    offsets_[v + 1] = offsets_[v] + degree;
+    max_degree_ = std::max(max_degree_, static_cast<int>(degree));
+  }
+  arcs_.resize(offsets_.back());
+#pragma omp parallel for schedule(static) num_threads(context.threads) if (blocks.size() > 1)
+  for (int v = 0; v < mesh.num_vertices(); ++v) {
+    Arc* const first = arcs_.data() + offsets_[v];
+    Arc* const middle = std::ranges::copy(blocks.list(v), first).out;
+    Arc* const last = std::ranges::copy(missing[v], middle).out;
+    if (middle != last)
+      std::sort(first, last, [](const Arc& a, const Arc& b) { return a.head < b.head; });
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,12 @@ float bucket_width(const GeodesicGraph& graph) {
   return width > 0 ? width : 1;
 }
 
+/// Fetches the arcs of a vertex that will be visited soon.
+void prefetch(std::span<const GeodesicGraph::Arc> arcs) {
+  constexpr std::size_t kArcsPerCacheLine = 64 / sizeof(GeodesicGraph::Arc);
+  for (std::size_t i = 0; i < arcs.size(); i += kArcsPerCacheLine) __builtin_prefetch(&arcs[i]);
+}
+
 }  // namespace
 
 struct GeodesicSearch::Queue : BucketQueue {
@@ -26,19 +33,33 @@ struct GeodesicSearch::Queue : BucketQueue {
 GeodesicSearch::GeodesicSearch(const GeodesicGraph& graph)
     : graph_(&graph),
       queue_(std::make_unique<Queue>(bucket_width(graph))),
-      distances_(graph.num_vertices(), kInfinity) {}
+      distances_(graph.num_vertices(), kInfinity),
+      improved_(graph.max_degree()) {}
 
 GeodesicSearch::~GeodesicSearch() = default;
 GeodesicSearch::GeodesicSearch(GeodesicSearch&&) noexcept = default;
 GeodesicSearch& GeodesicSearch::operator=(GeodesicSearch&&) noexcept = default;
 
-template <class Lower>
-void GeodesicSearch::propagate(std::span<const float> distances, const Lower& lower) {
+/// Dijkstra's algorithm from what was pushed until the queue is empty. `improves(tail, head,
+/// distance)` tells whether the way over `tail` is a better one to `head`, `accept` with the same
+/// arguments records it. Entries at `limit` or beyond are dropped; it may fall during the search.
+template <class Improves, class Accept>
+void GeodesicSearch::propagate(std::span<const float> distances, const float& limit,
+                               const Improves& improves, const Accept& accept) {
   for (BucketQueue::Entry entry; queue_->pop(entry);) {
-    if (entry.key > distances[entry.vertex]) continue;
+    if (const auto* next = queue_->peek()) prefetch(graph_->arcs(next->vertex));
+    if (entry.key > distances[entry.vertex] || entry.key >= limit) continue;
+    // Arcs that improve nothing are many and hard to predict, so there is no branch on each.
+    Reached* const improved = improved_.data();
+    std::size_t count = 0;
     for (const GeodesicGraph::Arc& arc : graph_->arcs(entry.vertex)) {
       const float distance = entry.key + arc.length;
-      if (lower(arc.head, distance)) queue_->push(distance, arc.head);
+      improved[count] = {arc.head, distance};
+      count += improves(entry.vertex, arc.head, distance);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      accept(entry.vertex, improved[i].vertex, improved[i].distance);
+      queue_->push(improved[i].distance, improved[i].vertex);
     }
   }
 }
@@ -52,25 +73,32 @@ void GeodesicSearch::update_field(int source, std::span<float> distances) {
   if (!(distances[source] > 0)) return;
   distances[source] = 0;
   queue_->push(0, source);
-  propagate(distances, [&](int vertex, float distance) {
-    if (distance >= distances[vertex]) return false;
-    distances[vertex] = distance;
-    return true;
-  });
+  propagate(
+      distances, kInfinity,
+      [&](int, int head, float distance) { return distance < distances[head]; },
+      [&](int, int head, float distance) { distances[head] = distance; });
+}
+
+/// Distances of all vertices closer than `limit` into `distances_`, those vertices into `reached_`.
+void GeodesicSearch::collect(int source, const float& limit) {
+  reached_.assign(1, {source, 0});
+  distances_[source] = 0;
+  queue_->push(0, source);
+  propagate(
+      distances_, limit,
+      [&](int, int head, float distance) {
+        return (distance < limit) & (distance < distances_[head]);
+      },
+      [&](int, int head, float distance) {
+        if (distances_[head] == kInfinity) reached_.push_back({head, 0});
+        distances_[head] = distance;
+      });
 }
 
 std::span<const GeodesicSearch::Reached> GeodesicSearch::ball(int source, float radius) {
   reached_.clear();
   if (!(radius >= 0)) return reached_;
-  distances_[source] = 0;
-  reached_.push_back({source, 0});
-  queue_->push(0, source);
-  propagate(distances_, [&](int vertex, float distance) {
-    if (distance > radius || distance >= distances_[vertex]) return false;
-    if (distances_[vertex] == kInfinity) reached_.push_back({vertex, 0});
-    distances_[vertex] = distance;
-    return true;
-  });
+  collect(source, std::nextafter(radius, kInfinity));
   for (Reached& r : reached_) r.distance = std::exchange(distances_[r.vertex], kInfinity);
   std::ranges::sort(reached_, [](const Reached& a, const Reached& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.vertex < b.vertex;
@@ -79,17 +107,8 @@ std::span<const GeodesicSearch::Reached> GeodesicSearch::ball(int source, float 
 }
 
 float GeodesicSearch::distance(int from, int to) {
-  reached_.clear();
-  distances_[from] = 0;
-  reached_.push_back({from, 0});
-  queue_->push(0, from);
-  propagate(distances_, [&](int vertex, float distance) {
-    // Nothing beyond `to` can shorten the way to it.
-    if (distance >= distances_[vertex] || distance >= distances_[to]) return false;
-    if (distances_[vertex] == kInfinity) reached_.push_back({vertex, 0});
-    distances_[vertex] = distance;
-    return true;
-  });
+  // Nothing beyond `to` can shorten the way to it.
+  collect(from, distances_[to]);
   const float result = distances_[to];
   for (const Reached& r : reached_) distances_[r.vertex] = kInfinity;
   return result;
@@ -99,25 +118,22 @@ SourcePartition GeodesicSearch::nearest_source(std::span<const int> sources) {
   SourcePartition result;
   result.distances.assign(graph_->num_vertices(), kInfinity);
   result.nearest.assign(graph_->num_vertices(), kNoSource);
-  const auto lower = [&](int vertex, float distance, int source) {
-    float& old_distance = result.distances[vertex];
-    int& old_source = result.nearest[vertex];
-    if (distance > old_distance || (distance == old_distance && source >= old_source)) return false;
-    old_distance = distance;
-    old_source = source;
-    return true;
-  };
-  for (int i = 0; i < static_cast<int>(sources.size()); ++i)
-    if (result.nearest[sources[i]] == kNoSource && lower(sources[i], 0, i))
-      queue_->push(0, sources[i]);
-  for (BucketQueue::Entry entry; queue_->pop(entry);) {
-    if (entry.key > result.distances[entry.vertex]) continue;
-    const int source = result.nearest[entry.vertex];
-    for (const GeodesicGraph::Arc& arc : graph_->arcs(entry.vertex)) {
-      const float distance = entry.key + arc.length;
-      if (lower(arc.head, distance, source)) queue_->push(distance, arc.head);
-    }
+  for (int i = 0; i < static_cast<int>(sources.size()); ++i) {
+    if (result.nearest[sources[i]] != kNoSource) continue;
+    result.nearest[sources[i]] = i;
+    result.distances[sources[i]] = 0;
+    queue_->push(0, sources[i]);
   }
+  propagate(
+      result.distances, kInfinity,
+      [&](int tail, int head, float distance) {
+        return distance < result.distances[head] ||
+               (distance == result.distances[head] && result.nearest[tail] < result.nearest[head]);
+      },
+      [&](int tail, int head, float distance) {
+        result.distances[head] = distance;
+        result.nearest[head] = result.nearest[tail];
+      });
   return result;
 }
 

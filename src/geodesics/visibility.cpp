@@ -3,7 +3,6 @@
 #include "geodesics/visibility.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,13 +15,12 @@ using Eigen::Vector2d;
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 float round_up(double length) {
-  const float rounded = static_cast<float>(length);
-  if (rounded >= length) return rounded;
-  return std::nextafter(rounded, std::numeric_limits<float>::infinity());
+  const auto rounded = static_cast<float>(length);
+  return rounded >= length ? rounded : std::nextafter(rounded, std::numeric_limits<float>::max());
 }
 
 int corner_of(const Face& face, int vertex) {
-  return static_cast<int>(std::find(face.begin(), face.end(), vertex) - face.begin());
+  return face[0] == vertex ? 0 : face[1] == vertex ? 1 : 2;
 }
 
 }  // namespace
@@ -68,41 +66,43 @@ void StripUnfolder::push_if_wide(const Window& window) {
   stack_.push_back(window);
 }
 
+Vector2d StripUnfolder::unfold(const Window& window, int apex) const {
+  // Orientation plays no part: the apex is placed on the far side of the edge, wherever it is.
+  const Point edge = mesh_.vertices[window.left] - mesh_.vertices[window.right];
+  const Point side = mesh_.vertices[apex] - mesh_.vertices[window.right];
+  const double scale = 1 / edge.squaredNorm();
+  const double along = edge.dot(side) * scale, across = edge.cross(side).norm() * scale;
+  const Vector2d flat_edge = window.left_position - window.right_position;
+  return window.right_position + along * flat_edge +
+         across * Vector2d(flat_edge.y(), -flat_edge.x());
+}
+
 void StripUnfolder::look_through(const Window& window, std::vector<GeodesicGraph::Arc>& arcs) {
   const Face& face = mesh_.faces[window.face];
   const int right_corner = corner_of(face, window.right);
   const int left_corner = corner_of(face, window.left);
   const int apex = face[3 - right_corner - left_corner];
   if (apex == window.right || apex == window.left) return;
+  const Vector2d position = unfold(window, apex);
 
-  // Orientation plays no part: the apex is placed on the far side of the edge, wherever it is.
-  const Point edge = mesh_.vertices[window.left] - mesh_.vertices[window.right];
-  const Point side = mesh_.vertices[apex] - mesh_.vertices[window.right];
-  const double squared_length = edge.squaredNorm();
-  if (!(squared_length > 0)) return;
-  const double along = edge.dot(side) / squared_length;
-  const double across = edge.cross(side).norm() / squared_length;
-  const Vector2 flat_edge = window.left_position - window.right_position;
-  const Vector2 position =
-      window.right_position + along * flat_edge + across * Vector2(flat_edge.y(), -flat_edge.x());
-
-  Window right_part = window, left_part = window;
-  right_part.face = neighbours_[window.face][left_corner];
-  left_part.face = neighbours_[window.face][right_corner];
-  ++right_part.depth;
-  ++left_part.depth;
-  right_part.left = left_part.right = apex;
-  right_part.left_position = left_part.right_position = position;
   const bool right_sees = cross(window.right_ray, position) > 0;
   const bool left_sees = cross(position, window.left_ray) > 0;
+  Vector2d left_ray = window.left_ray, right_ray = window.right_ray;
   if (right_sees && left_sees) {
     const double length = position.norm();
     // Round a thin limb a vertex sees itself.
     if (apex != vertex_) arcs.push_back({apex, round_up(length)});
-    right_part.left_ray = left_part.right_ray = position / length;
+    left_ray = right_ray = position / length;
   }
-  if (right_sees) push_if_wide(right_part);
-  if (left_sees) push_if_wide(left_part);
+  const auto& beyond = neighbours_[window.face];
+  if (right_sees) {
+    push_if_wide({beyond[left_corner], window.depth + 1, window.right, apex, window.right_position,
+                  position, window.right_ray, left_ray});
+  }
+  if (left_sees) {
+    push_if_wide({beyond[right_corner], window.depth + 1, apex, window.left, position,
+                  window.left_position, right_ray, window.left_ray});
+  }
 }
 
 }  // namespace isomatch

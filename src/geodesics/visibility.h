@@ -42,6 +42,9 @@ class StripUnfolder {
   void open_window(int face, std::vector<GeodesicGraph::Arc>& arcs);
   void look_through(const Window& window, std::vector<GeodesicGraph::Arc>& arcs);
   void push_if_wide(const Window& window);
+  /// Where the third vertex of the face beyond the window's edge lies in the plane. Not finite if
+  /// the edge has no length.
+  Vector2 unfold(const Window& window, int apex) const;
 
   const Mesh& mesh_;
   const IndexLists& faces_of_vertex_;
