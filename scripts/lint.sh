@@ -15,10 +15,12 @@ case ${1:-} in
       xargs clang-format --dry-run -Werror
     ;;
   tidy)
+    # Clang does not accept this version of CGAL's headers.
+    uses_cgal=tests/oracle/exact_geodesics.cpp
     # Headers are checked with the sources that include them. The compiler's own warnings are the
     # build's business, and clang does not find g++'s omp.h. The count of suppressed warnings from
     # system headers is noise.
-    find "${folders[@]}" -name '*.cpp' | sort |
+    find "${folders[@]}" -name '*.cpp' | sort | grep --invert-match --fixed-strings "$uses_cgal" |
       xargs --max-args=1 --max-procs="$(nproc)" clang-tidy-19 --quiet -p "build/$2" \
         --extra-arg=-w --extra-arg=-fno-openmp \
         2> >(grep --invert-match 'warnings\? generated' >&2)

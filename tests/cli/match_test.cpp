@@ -119,7 +119,7 @@ TEST_F(MatchProgram, BadInputLeavesNoFolder) {
   folder_.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   const Outcome truncated = run({"match", path("source.off"), path("bad.off"), "-o", path("out")});
   EXPECT_EQ(truncated.exit_code, 2);
-  EXPECT_THAT(truncated.errors, HasSubstr("bad.off: line 4"));
+  EXPECT_THAT(truncated.errors, HasSubstr("bad.off: line 2"));
   folder_.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   const Outcome flat = run({"match", path("source.off"), path("flat.off"), "-o", path("out")});
   EXPECT_EQ(flat.exit_code, 2);

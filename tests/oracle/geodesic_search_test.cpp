@@ -59,44 +59,44 @@ std::vector<float> plain_dijkstra(const GeodesicGraph& graph, int source) {
 class SearchAgainstPlain : public ::testing::TestWithParam<Case> {
  protected:
   SearchAgainstPlain() {
-    for (int v = 0; v < graph.num_vertices(); ++v) exact.push_back(plain_dijkstra(graph, v));
+    for (int v = 0; v < graph_.num_vertices(); ++v) exact_.push_back(plain_dijkstra(graph_, v));
   }
 
   /// The connected vertices within `radius` of `source`, in order.
   std::vector<std::pair<float, int>> expected_ball(int source, float radius) const {
     std::vector<std::pair<float, int>> ball;
-    for (int v = 0; v < graph.num_vertices(); ++v)
-      if (exact[source][v] <= radius && exact[source][v] < kInfinity)
-        ball.emplace_back(exact[source][v], v);
+    for (int v = 0; v < graph_.num_vertices(); ++v)
+      if (exact_[source][v] <= radius && exact_[source][v] < kInfinity)
+        ball.emplace_back(exact_[source][v], v);
     std::ranges::sort(ball);
     return ball;
   }
 
   std::vector<std::pair<float, int>> found_ball(int source, float radius) {
     std::vector<std::pair<float, int>> ball;
-    for (const auto& [v, distance] : search.ball(source, radius)) ball.emplace_back(distance, v);
+    for (const auto& [v, distance] : search_.ball(source, radius)) ball.emplace_back(distance, v);
     return ball;
   }
 
-  GeodesicGraph graph{GetParam().make(), GetParam().options};
-  GeodesicSearch search{graph};
-  std::vector<std::vector<float>> exact;
+  GeodesicGraph graph_{GetParam().make(), GetParam().options};
+  GeodesicSearch search_{graph_};
+  std::vector<std::vector<float>> exact_;
 };
 
 TEST_P(SearchAgainstPlain, FieldsAreTheSame) {
-  std::vector<float> field(graph.num_vertices());
-  for (int v = 0; v < graph.num_vertices(); ++v) {
-    search.field(v, field);
-    ASSERT_EQ(field, exact[v]) << "from vertex " << v;
+  std::vector<float> field(graph_.num_vertices());
+  for (int v = 0; v < graph_.num_vertices(); ++v) {
+    search_.field(v, field);
+    ASSERT_EQ(field, exact_[v]) << "from vertex " << v;
   }
 }
 
 TEST_P(SearchAgainstPlain, FloydAndWarshallAgree) {
-  const int n = graph.num_vertices();
+  const int n = graph_.num_vertices();
   std::vector<std::vector<double>> distances(n, std::vector<double>(n, kInfinity));
   for (int v = 0; v < n; ++v) {
     distances[v][v] = 0;
-    for (const auto& arc : graph.arcs(v)) distances[v][arc.head] = arc.length;
+    for (const auto& arc : graph_.arcs(v)) distances[v][arc.head] = arc.length;
   }
   for (int via = 0; via < n; ++via) {
     for (int a = 0; a < n; ++a) {
@@ -106,7 +106,7 @@ TEST_P(SearchAgainstPlain, FloydAndWarshallAgree) {
   }
   std::vector<float> field(n);
   for (int a = 0; a < n; a += 13) {
-    search.field(a, field);
+    search_.field(a, field);
     // Sums of up to a hundred floats.
     for (int b = 0; b < n; ++b) {
       if (field[b] != distances[a][b]) {
@@ -117,8 +117,8 @@ TEST_P(SearchAgainstPlain, FloydAndWarshallAgree) {
 }
 
 TEST_P(SearchAgainstPlain, BallsAreCutFromFieldsInOrder) {
-  for (int v = 0; v < graph.num_vertices(); v += 7) {
-    std::vector<float> radii = exact[v];
+  for (int v = 0; v < graph_.num_vertices(); v += 7) {
+    std::vector<float> radii = exact_[v];
     std::ranges::sort(radii);
     const std::size_t n = radii.size();
     for (const float radius : {0.0F, radii[5], radii[n / 3], radii[n / 2] * 1.001F, radii[n - 1]})
@@ -127,31 +127,31 @@ TEST_P(SearchAgainstPlain, BallsAreCutFromFieldsInOrder) {
 }
 
 TEST_P(SearchAgainstPlain, DistancesAreThoseOfFields) {
-  for (int a = 0; a < graph.num_vertices(); a += 3) {
-    for (int b = 0; b < graph.num_vertices(); b += 5)
-      ASSERT_EQ(search.distance(a, b), exact[a][b]) << a << " to " << b;
+  for (int a = 0; a < graph_.num_vertices(); a += 3) {
+    for (int b = 0; b < graph_.num_vertices(); b += 5)
+      ASSERT_EQ(search_.distance(a, b), exact_[a][b]) << a << " to " << b;
   }
 }
 
 TEST_P(SearchAgainstPlain, AddingSourcesTakesTheMinimumOfFields) {
-  std::vector<float> field(graph.num_vertices(), kInfinity), expected = field;
+  std::vector<float> field(graph_.num_vertices(), kInfinity), expected = field;
   for (const int source : {17, 3, 90, 3, 41, 150}) {
-    search.update_field(source, field);
-    for (int v = 0; v < graph.num_vertices(); ++v)
-      expected[v] = std::min(expected[v], exact[source][v]);
+    search_.update_field(source, field);
+    for (int v = 0; v < graph_.num_vertices(); ++v)
+      expected[v] = std::min(expected[v], exact_[source][v]);
     ASSERT_EQ(field, expected);
   }
 }
 
 TEST_P(SearchAgainstPlain, NearestSourceIsTheFirstOfTheLeastFields) {
   const std::vector<int> sources{90, 17, 3, 18, 19, 3, 150, 151, 152};
-  const SourcePartition partition = search.nearest_source(sources);
-  for (int v = 0; v < graph.num_vertices(); ++v) {
+  const SourcePartition partition = search_.nearest_source(sources);
+  for (int v = 0; v < graph_.num_vertices(); ++v) {
     int nearest = kNoSource;
     float least = kInfinity;
     for (int i = 0; i < static_cast<int>(sources.size()); ++i) {
-      if (exact[sources[i]][v] < least) {
-        least = exact[sources[i]][v];
+      if (exact_[sources[i]][v] < least) {
+        least = exact_[sources[i]][v];
         nearest = i;
       }
     }
@@ -161,12 +161,12 @@ TEST_P(SearchAgainstPlain, NearestSourceIsTheFirstOfTheLeastFields) {
 }
 
 TEST_P(SearchAgainstPlain, ArcsAreSymmetricSortedAndWithoutLoops) {
-  for (int v = 0; v < graph.num_vertices(); ++v) {
-    const auto arcs = graph.arcs(v);
+  for (int v = 0; v < graph_.num_vertices(); ++v) {
+    const auto arcs = graph_.arcs(v);
     ASSERT_TRUE(std::ranges::is_sorted(arcs, std::ranges::less_equal(), &GeodesicGraph::Arc::head));
     for (const auto& [head, length] : arcs) {
       ASSERT_NE(head, v);
-      const auto back = graph.arcs(head);
+      const auto back = graph_.arcs(head);
       const auto reverse = std::ranges::find(back, v, &GeodesicGraph::Arc::head);
       ASSERT_NE(reverse, back.end());
       ASSERT_EQ(reverse->length, length);
