@@ -55,7 +55,7 @@ MatchInput load(const std::string& path, const GeodesicOptions& geodesics, const
   MeshDiagnosis diagnosis = timed(times, "diagnosis", [&] { return diagnose(mesh); });
   Shape shape = timed(times, "geodesic graph",
                       [&] { return prepare_loaded(path, mesh, geodesics, context); });
-  return {path, std::move(mesh), read_report, std::move(diagnosis), std::move(shape)};
+  return {path, std::move(mesh), read_report, diagnosis, std::move(shape)};
 }
 
 /// `context` with its progress between `first` and `last`.
