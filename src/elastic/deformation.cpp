@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "elastic/deformation.h"
+
+#include <cmath>
+
+namespace isomatch::elastic {
+namespace {
+
+/// Cotangent weight of an edge in a triangulation by equilateral triangles.
+const double kEdgeWeight = 1 / std::sqrt(3.0);
+
+/// Turns `rotation` to the rotation closest to `m` (Mueller et al. 2016).
+void extract_rotation(const Eigen::Matrix3d& m, Eigen::Quaterniond& rotation) {
+  constexpr int kMaxIterations = 30;
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const Eigen::Matrix3d r = rotation.toRotationMatrix();
+    const Point axis = r.col(0).cross(m.col(0)) + r.col(1).cross(m.col(1)) + r.col(2).cross(m.col(2));
+    const double scale = r.col(0).dot(m.col(0)) + r.col(1).dot(m.col(1)) + r.col(2).dot(m.col(2));
+    const Point omega = axis / (std::abs(scale) + 1e-12);
+    const double angle = omega.norm();
+    if (angle < 1e-7) break;
+    rotation = Eigen::Quaterniond(Eigen::AngleAxisd(angle, omega / angle)) * rotation;
+    rotation.normalize();
+  }
+}
+
+/// Half the gradient of a goal's squared distance, without its constant part.
+Point pull(const Goal& goal, const Point& x) {
+  return goal.weight *
+         (goal.tangential * x + (1 - goal.tangential) * goal.normal.dot(x) * goal.normal);
+}
+
+}  // namespace
+
+Deformation::Deformation(std::vector<Point> rest, IndexLists neighbours)
+    : rest_(std::move(rest)),
+      positions_(rest_),
+      rotations_(rest_.size(), Eigen::Quaterniond::Identity()),
+      neighbours_(std::move(neighbours)),
+      system_(size(), size()) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < size(); ++i) {
+    entries.emplace_back(i, i, kEdgeWeight * static_cast<double>(neighbours_[i].size()));
+    for (int j : neighbours_[i]) entries.emplace_back(i, j, -kEdgeWeight);
+  }
+  system_.setFromTriplets(entries.begin(), entries.end());
+  solver_.analyzePattern(system_);
+}
+
+void Deformation::fit_rotations(double smoothness) {
+  std::vector<Eigen::Matrix3d> before(rotations_.size());
+  double edge = 0;
+  int count = 0;
+  for (int i = 0; i < size(); ++i) {
+    before[i] = rotations_[i].toRotationMatrix();
+    for (int j : neighbours_[i]) edge += (rest_[i] - rest_[j]).squaredNorm(), ++count;
+  }
+  const double weight = smoothness * edge / count;
+  for (int i = 0; i < size(); ++i) {
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (int j : neighbours_[i]) {
+      covariance += (positions_[i] - positions_[j]) * (rest_[i] - rest_[j]).transpose();
+      covariance += weight * before[j];
+    }
+    extract_rotation(covariance, rotations_[i]);
+  }
+}
+
+Eigen::MatrixX3d Deformation::right_side(std::span<const Goal> goals, double stiffness) const {
+  std::vector<Eigen::Matrix3d> rotations(rotations_.size());
+  for (int i = 0; i < size(); ++i) rotations[i] = rotations_[i].toRotationMatrix();
+  Eigen::MatrixX3d right(size(), 3);
+  for (int i = 0; i < size(); ++i) {
+    Point sum = pull(goals[i], goals[i].position);
+    for (int j : neighbours_[i])
+      sum +=
+          0.5 * stiffness * kEdgeWeight * ((rotations[i] + rotations[j]) * (rest_[i] - rest_[j]));
+    right.row(i) = sum.transpose();
+  }
+  return right;
+}
+
+void Deformation::fit_positions(std::span<const Goal> goals, double stiffness) {
+  constexpr int kMaxIterations = 40;
+  constexpr double kTolerance = 1e-3;
+  const Eigen::SparseMatrix<double> elastic = system_ * stiffness;
+  Eigen::SparseMatrix<double> isotropic = elastic;
+  for (int i = 0; i < size(); ++i)
+    isotropic.coeffRef(i, i) += goals[i].weight * (1 + 2 * goals[i].tangential) / 3;
+  solver_.factorize(isotropic);
+  const auto apply = [&](const Eigen::MatrixX3d& x) {
+    Eigen::MatrixX3d result = elastic * x;
+    for (int i = 0; i < size(); ++i)
+      result.row(i) += pull(goals[i], x.row(i).transpose()).transpose();
+    return result;
+  };
+  const auto dot = [](const Eigen::MatrixX3d& a, const Eigen::MatrixX3d& b) {
+    return a.cwiseProduct(b).sum();
+  };
+  Eigen::MatrixX3d x(size(), 3);
+  for (int i = 0; i < size(); ++i) x.row(i) = positions_[i].transpose();
+  Eigen::MatrixX3d residual = right_side(goals, stiffness) - apply(x);
+  Eigen::MatrixX3d direction = solver_.solve(residual);
+  double rho = dot(residual, direction);
+  const double enough = rho * kTolerance * kTolerance;
+  for (int k = 0; k < kMaxIterations && rho > enough; ++k) {
+    const Eigen::MatrixX3d image = apply(direction);
+    const double step = rho / dot(direction, image);
+    x += step * direction;
+    residual -= step * image;
+    const Eigen::MatrixX3d preconditioned = solver_.solve(residual);
+    const double next = dot(residual, preconditioned);
+    direction = preconditioned + (next / rho) * direction;
+    rho = next;
+  }
+  for (int i = 0; i < size(); ++i) positions_[i] = x.row(i).transpose();
+}
+
+std::vector<double> Deformation::energies() const {
+  std::vector<double> energies(rest_.size(), 0.0);
+  for (int i = 0; i < size(); ++i) {
+    const Eigen::Matrix3d rotation = rotations_[i].toRotationMatrix();
+    for (int j : neighbours_[i])
+      energies[i] += 0.5 * kEdgeWeight *
+                     (positions_[i] - positions_[j] - rotation * (rest_[i] - rest_[j])).squaredNorm();
+  }
+  return energies;
+}
+
+}  // namespace isomatch::elastic

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "isomatch/mesh.h"
+#include "isomatch/topology.h"
+
+namespace isomatch::elastic {
+
+/// Where a point is pulled: a plane, and less so a point in it.
+struct Goal {
+  Point position;
+  Point normal;
+  double weight = 0;
+  /// Share of the weight that holds along the plane as well.
+  double tangential = 1;
+};
+
+/// As-rigid-as-possible deformation of a graph of points on a surface (Sorkine and Alexa 2007) with
+/// smooth rotations (Levi and Gotsman 2015). Lengths are in units of sqrt(area).
+class Deformation {
+ public:
+  /// `neighbours` must be symmetric.
+  Deformation(std::vector<Point> rest, IndexLists neighbours);
+
+  int size() const { return static_cast<int>(rest_.size()); }
+  const std::vector<Point>& rest() const { return rest_; }
+  const std::vector<Point>& positions() const { return positions_; }
+  const std::vector<Eigen::Quaterniond>& rotations() const { return rotations_; }
+  void set_positions(std::vector<Point> positions) { positions_ = std::move(positions); }
+
+  /// The rotations that fit the positions best. `smoothness` weighs agreement with the rotations of
+  /// the neighbours, 0 for none.
+  void fit_rotations(double smoothness);
+  /// Positions that minimise `stiffness` times the elastic energy plus the squared distances to
+  /// `goals`, for fixed rotations. Every component of the graph needs a weight. Conjugate gradients
+  /// from the present positions, preconditioned by the solution with goals of no direction.
+  void fit_positions(std::span<const Goal> goals, double stiffness);
+  /// Elastic energy at each point, an integrand over the surface with stiffness 1.
+  std::vector<double> energies() const;
+
+ private:
+  Eigen::MatrixX3d right_side(std::span<const Goal> goals, double stiffness) const;
+
+  std::vector<Point> rest_, positions_;
+  std::vector<Eigen::Quaterniond> rotations_;
+  IndexLists neighbours_;
+  Eigen::SparseMatrix<double> system_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+};
+
+}  // namespace isomatch::elastic

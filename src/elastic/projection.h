@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "isomatch/mesh.h"
+#include "isomatch/topology.h"
+
+namespace isomatch::elastic {
+
+/// A point on a triangle mesh.
+struct Foot {
+  int face = -1;
+  std::array<double, 3> weights{};
+  Point position{0, 0, 0};
+  Point normal{0, 0, 0};
+};
+
+/// Finds the points of a mesh that are closest in position and normal.
+class Projection {
+ public:
+  /// Keeps references. A difference of unit normals counts as `normal_weight` times a distance.
+  Projection(const Mesh& mesh, const IndexLists& vertex_faces, const std::vector<Point>& normals,
+             double normal_weight);
+  ~Projection();
+
+  /// The vertex that is closest in position and normal.
+  int nearest_vertex(const Point& position, const Point& normal) const;
+  /// The closest point on the faces around that vertex.
+  Foot operator()(const Point& position, const Point& normal) const;
+
+ private:
+  struct Index;
+
+  Foot foot_at(int vertex) const;
+
+  const Mesh& mesh_;
+  const IndexLists& vertex_faces_;
+  const std::vector<Point>& normals_;
+  double normal_weight_;
+  std::unique_ptr<Index> index_;
+};
+
+}  // namespace isomatch::elastic

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "isomatch/correspondence.h"
+#include "tracked/landmarks.h"
+
+namespace isomatch::tracked {
+
+/// A map between landmarks: for each source landmark a target landmark, `kUnmatched` where none.
+struct LandmarkMap {
+  std::vector<int> target_of_source;
+  /// Mean isometric distortion over all landmarks, in units of sqrt(area).
+  float distortion = 0;
+  /// Mean local orientation in [-1, 1].
+  float orientation = 0;
+};
+
+struct GrowthOptions {
+  /// A landmark chooses among targets whose distortion is within this of the least.
+  float slack = 0.03F;
+  /// Weight of orientation against distortion.
+  float orientation_weight = 0.03F;
+  /// Neighbours that orientation is measured against.
+  int neighbours = 6;
+};
+
+/// Extends a partial matching of landmarks to all source landmarks, one by one in their order,
+/// and revises maps. One per thread.
+class Growth {
+ public:
+  /// Uses the first `source_count` and `target_count` landmarks.
+  Growth(const Landmarks& source, int source_count, const Landmarks& target, int target_count,
+         const GrowthOptions& options);
+
+  /// `matches` between landmarks.
+  LandmarkMap grow(const Correspondence& matches);
+  /// Chooses the target of every landmark again, given all others.
+  void revise(LandmarkMap& map);
+  /// Fills in distortion and orientation.
+  void measure(LandmarkMap& map);
+
+ private:
+  void accumulate(int source, const std::vector<int>& map);
+  void find_nearest_matched(int source, const std::vector<int>& map);
+  float orientation(int source, int target, const std::vector<int>& map) const;
+  int best_target(int source, const std::vector<int>& map);
+
+  const Landmarks& source_;
+  const Landmarks& target_;
+  GrowthOptions options_;
+  int source_count_, target_count_;
+  bool oriented_;
+  std::vector<std::vector<int>> nearest_;  ///< Source landmarks in order of distance.
+  std::vector<float> cost_;
+  std::vector<int> near_;
+};
+
+}  // namespace isomatch::tracked

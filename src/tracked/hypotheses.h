@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "isomatch/context.h"
+#include "tracked/growth.h"
+#include "tracked/proxy.h"
+#include "tracked/seeds.h"
+
+namespace isomatch::tracked {
+
+/// A number of landmarks and how different two maps of them are before they count as two.
+struct GrowthStage {
+  int source_landmarks;
+  int target_landmarks;
+  int max_maps;
+};
+
+struct HypothesisOptions {
+  SeedOptions seeds;
+  GrowthOptions growth;
+  GrowthStage coarse{40, 200, 48};
+  GrowthStage fine{100, 400, 16};
+  /// Maps whose landmarks lie closer than this on average are the same hypothesis.
+  float same_distance = 0.06F;
+};
+
+/// A map between nodes of two proxies.
+struct Hypothesis {
+  std::vector<int> source_nodes, target_nodes;
+  float distortion = 0;
+  float orientation = 0;
+};
+
+/// Candidates for the map between two shapes, the most plausible first.
+std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target,
+                                        const HypothesisOptions& options, const Context& context);
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/proxy.h"
+
+#include <meshoptimizer.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "face_orientation.h"
+
+namespace isomatch::tracked {
+namespace {
+
+using Index = unsigned int;
+
+/// Corners of the faces of `mesh` with about `count` of its vertices.
+std::vector<Index> simplified(const Mesh& mesh, int count) {
+  std::vector<Index> indices;
+  indices.reserve(mesh.faces.size() * 3);
+  for (const Face& face : mesh.faces) indices.insert(indices.end(), face.begin(), face.end());
+  if (mesh.num_vertices() <= count) return indices;
+  std::vector<float> positions;
+  positions.reserve(mesh.vertices.size() * 3);
+  for (const Point& p : mesh.vertices)
+    for (int k = 0; k < 3; ++k) positions.push_back(static_cast<float>(p[k]));
+  std::vector<Index> result(indices.size());
+  const std::size_t target = static_cast<std::size_t>(count) * 6;
+  result.resize(meshopt_simplify(result.data(), indices.data(), indices.size(), positions.data(),
+                                 mesh.vertices.size(), 3 * sizeof(float), target, 1.0F, 0,
+                                 nullptr));
+  return result;
+}
+
+/// `mesh` at unit area with its faces turned outwards, if that can be told.
+Mesh normalised(const Shape& shape, bool& oriented) {
+  Mesh mesh = shape.surface.mesh;
+  const double scale = 1 / std::sqrt(shape.surface.area);
+  const Point centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
+                       mesh.num_vertices();
+  for (Point& p : mesh.vertices) p = (p - centre) * scale;
+  const auto signs = face_orientation(mesh);
+  oriented = signs.has_value();
+  for (int f = 0; oriented && f < mesh.num_faces(); ++f)
+    if ((*signs)[f] < 0) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+  return mesh;
+}
+
+void take_vertices(const Mesh& mesh, const std::vector<Index>& corners, Proxy& proxy) {
+  std::vector<int> renumbered(mesh.vertices.size(), kNoVertex);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+    int& vertex = renumbered[corners[corner]];
+    if (vertex == kNoVertex) {
+      vertex = proxy.num_vertices();
+      proxy.mesh.vertices.push_back(mesh.vertices[corners[corner]]);
+      proxy.surface_vertex.push_back(static_cast<int>(corners[corner]));
+    }
+    if (corner % 3 == 0) proxy.mesh.faces.emplace_back();
+    proxy.mesh.faces.back()[corner % 3] = vertex;
+  }
+}
+
+void measure_normals(Proxy& proxy) {
+  proxy.normals.assign(proxy.mesh.vertices.size(), Point::Zero());
+  for (const Face& face : proxy.mesh.faces) {
+    const Point& p = proxy.mesh.vertices[face[0]];
+    const Point normal =
+        (proxy.mesh.vertices[face[1]] - p).cross(proxy.mesh.vertices[face[2]] - p);
+    for (int v : face) proxy.normals[v] += normal;
+  }
+  for (Point& normal : proxy.normals) normal.normalize();
+}
+
+/// Evenly spread vertices; the first does not depend on the numbering.
+std::vector<int> spread_nodes(const GeodesicGraph& graph, int count) {
+  std::vector<int> all(graph.num_vertices());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<float> distances(all.size());
+  GeodesicSearch search(graph);
+  int start = 0;
+  for (int step = 0; step < 3; ++step) {
+    search.field(start, distances);
+    start = static_cast<int>(std::ranges::max_element(distances) - distances.begin());
+  }
+  return farthest_points(graph, all, count, start);
+}
+
+void partition(const GeodesicGraph& graph, Proxy& proxy) {
+  const std::vector<int> nearest = GeodesicSearch(graph).nearest_source(proxy.nodes).nearest;
+  const std::vector<double> areas = vertex_areas(proxy.mesh);
+  proxy.node_areas.assign(proxy.nodes.size(), 0.0);
+  for (int v = 0; v < proxy.num_vertices(); ++v) proxy.node_areas[nearest[v]] += areas[v];
+  std::vector<std::set<int>> touching(proxy.nodes.size());
+  for (const Face& face : proxy.mesh.faces) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = nearest[face[k]], b = nearest[face[(k + 1) % 3]];
+      if (a == b) continue;
+      touching[a].insert(b);
+      touching[b].insert(a);
+    }
+  }
+  std::vector<int> offsets{0}, values;
+  for (const auto& set : touching) {
+    values.insert(values.end(), set.begin(), set.end());
+    offsets.push_back(static_cast<int>(values.size()));
+  }
+  proxy.neighbours = IndexLists(std::move(offsets), std::move(values));
+}
+
+void measure_distances(const GeodesicGraph& graph, Proxy& proxy, const Context& context) {
+  const std::size_t n = proxy.mesh.vertices.size();
+  proxy.distances.resize(proxy.num_nodes(), static_cast<Eigen::Index>(n));
+#pragma omp parallel num_threads(context.threads)
+  {
+    GeodesicSearch search(graph);
+#pragma omp for schedule(dynamic, 16)
+    for (int i = 0; i < proxy.num_nodes(); ++i)
+      search.field(proxy.nodes[i], {proxy.distances.row(i).data(), n});
+  }
+}
+
+}  // namespace
+
+Proxy make_proxy(const Shape& shape, const ProxyOptions& options, const Context& context) {
+  Proxy proxy;
+  const Mesh mesh = normalised(shape, proxy.oriented);
+  take_vertices(mesh, simplified(mesh, options.vertices), proxy);
+  proxy.faces = vertex_faces(proxy.mesh);
+  measure_normals(proxy);
+  const GeodesicGraph graph(proxy.mesh, {}, context);
+  proxy.nodes = spread_nodes(graph, options.nodes);
+  partition(graph, proxy);
+  measure_distances(graph, proxy, context);
+  return proxy;
+}
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "isomatch/context.h"
+#include "isomatch/shape.h"
+#include "isomatch/topology.h"
+
+namespace isomatch::tracked {
+
+using FloatMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct ProxyOptions {
+  /// Vertices and nodes of the proxy, at most.
+  int vertices = 2500;
+  int nodes = 1000;
+};
+
+/// A simplified copy of a surface, scaled to unit area, on which everything global is computed, and
+/// nodes spread evenly over it. Nodes come in farthest point order, so the first k of them are
+/// evenly spread as well.
+struct Proxy {
+  /// Its vertices are a subset of the surface's. Faces are turned outwards if `oriented`.
+  Mesh mesh;
+  std::vector<int> surface_vertex;
+  IndexLists faces;
+  /// Whether it is known which side is outside.
+  bool oriented = false;
+  /// Area-weighted unit normals of the vertices.
+  std::vector<Point> normals;
+  /// Proxy vertex of each node.
+  std::vector<int> nodes;
+  /// Share of the surface that is nearest to each node.
+  std::vector<double> node_areas;
+  /// For each node those whose Voronoi cells touch its own, ascending.
+  IndexLists neighbours;
+  /// Geodesic distances from the nodes (rows) to all vertices (columns).
+  FloatMatrix distances;
+
+  int num_vertices() const { return mesh.num_vertices(); }
+  int num_nodes() const { return static_cast<int>(nodes.size()); }
+  const Point& node_position(int node) const { return mesh.vertices[nodes[node]]; }
+  const Point& node_normal(int node) const { return normals[nodes[node]]; }
+  float node_distance(int a, int b) const { return distances(a, nodes[b]); }
+};
+
+/// O(N log N + nodes * vertices log vertices).
+Proxy make_proxy(const Shape& shape, const ProxyOptions& options, const Context& context);
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "isomatch/correspondence.h"
+#include "tracked/proxy.h"
+
+namespace isomatch::tracked {
+
+struct SeedOptions {
+  /// Extremities of a shape, at most.
+  int max_extremities = 10;
+  /// An extremity is farthest from everything within this distance.
+  double extremity_radius = 0.1;
+  /// Distances between matched extremities differ by at most this much.
+  double max_difference = 0.18;
+  /// Difference at which a pair of matches neither speaks for nor against a seed.
+  double neutral_difference = 0.09;
+  int min_matches = 4;
+  int max_seeds = 2000;
+  /// Partial matchings that are looked at.
+  int max_visits = 2000000;
+};
+
+/// Nodes at the tips of a shape: local maxima of the integral geodesic distance, in descending
+/// order.
+std::vector<int> extremities(const Proxy& proxy, const SeedOptions& options);
+
+/// Partial injective matchings between two sets of nodes that roughly keep distances, best first.
+/// Branch and bound. Matches are pairs of nodes.
+std::vector<Correspondence> seed_matchings(const Proxy& source, const std::vector<int>& source_tips,
+                                           const Proxy& target, const std::vector<int>& target_tips,
+                                           const SeedOptions& options);
+
+}  // namespace isomatch::tracked

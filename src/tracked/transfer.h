@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "elastic/deformation.h"
+#include "tracked/proxy.h"
+
+namespace isomatch::tracked {
+
+/// A surface with normals, at unit area, as `Proxy` has it.
+struct UnitSurface {
+  Mesh mesh;
+  IndexLists faces;
+  bool oriented = false;
+  std::vector<Point> normals;
+};
+
+UnitSurface unit_surface(const Shape& shape);
+
+/// A deformed surface: positions and normals of its vertices.
+struct DeformedSurface {
+  std::vector<Point> positions, normals;
+};
+
+/// Carries a deformation of the nodes of `proxy` over to all vertices of `surface`. O(N log N).
+DeformedSurface transfer(const Shape& shape, const UnitSurface& surface, const Proxy& proxy,
+                         const elastic::Deformation& deformation);
+
+}  // namespace isomatch::tracked
