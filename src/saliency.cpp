@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/saliency.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 #include <algorithm>
@@ -10,18 +9,12 @@
 #include <numbers>
 #include <numeric>
 
+#include "cotangent_laplacian.h"
 #include "isomatch/error.h"
 #include "isomatch/topology.h"
 
 namespace isomatch {
 namespace {
-
-double corner_angle(const Mesh& mesh, const Face& face, int corner) {
-  const Point& apex = mesh.vertices[face[corner]];
-  const Point u = mesh.vertices[face[(corner + 1) % 3]] - apex;
-  const Point w = mesh.vertices[face[(corner + 2) % 3]] - apex;
-  return std::atan2(u.cross(w).norm(), u.dot(w));
-}
 
 std::vector<bool> open_vertices(const Mesh& mesh) {
   std::vector<bool> open(mesh.vertices.size(), false);
@@ -51,26 +44,6 @@ std::vector<double> angle_defects(const Mesh& mesh) {
 }
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-/// Cotangent Laplacian (positive semi-definite). Weights are held to [0, 10], an angle of about 6
-/// degrees, so that slivers neither couple their ends rigidly nor repel them.
-SparseMatrix cotangent_laplacian(const Mesh& mesh) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(mesh.faces.size() * 12);
-  for (const Face& face : mesh.faces) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const int a = face[(corner + 1) % 3], b = face[(corner + 2) % 3];
-      const double weight = std::clamp(0.5 / std::tan(corner_angle(mesh, face, corner)), 0.0, 10.0);
-      entries.emplace_back(a, b, -weight);
-      entries.emplace_back(b, a, -weight);
-      entries.emplace_back(a, a, weight);
-      entries.emplace_back(b, b, weight);
-    }
-  }
-  SparseMatrix laplacian(mesh.num_vertices(), mesh.num_vertices());
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  return laplacian;
-}
 
 /// Heat flow for `time` from `values`, in three implicit steps.
 Eigen::VectorXd diffuse(const Mesh& mesh, const Eigen::VectorXd& areas, Eigen::VectorXd values,

@@ -15,7 +15,8 @@ void extract_rotation(const Eigen::Matrix3d& m, Eigen::Quaterniond& rotation) {
   constexpr int kMaxIterations = 30;
   for (int i = 0; i < kMaxIterations; ++i) {
     const Eigen::Matrix3d r = rotation.toRotationMatrix();
-    const Point axis = r.col(0).cross(m.col(0)) + r.col(1).cross(m.col(1)) + r.col(2).cross(m.col(2));
+    const Point axis =
+        r.col(0).cross(m.col(0)) + r.col(1).cross(m.col(1)) + r.col(2).cross(m.col(2));
     const double scale = r.col(0).dot(m.col(0)) + r.col(1).dot(m.col(1)) + r.col(2).dot(m.col(2));
     const Point omega = axis / (std::abs(scale) + 1e-12);
     const double angle = omega.norm();
@@ -25,10 +26,12 @@ void extract_rotation(const Eigen::Matrix3d& m, Eigen::Quaterniond& rotation) {
   }
 }
 
-/// Half the gradient of a goal's squared distance, without its constant part.
+/// Half the gradient of a goal's energy, without its constant part and that part alone.
 Point pull(const Goal& goal, const Point& x) {
-  return goal.weight *
-         (goal.tangential * x + (1 - goal.tangential) * goal.normal.dot(x) * goal.normal);
+  return goal.weight * goal.normal.dot(x) * goal.normal + goal.anchor_weight * x;
+}
+Point pull(const Goal& goal) {
+  return goal.weight * goal.normal.dot(goal.foot) * goal.normal + goal.anchor_weight * goal.anchor;
 }
 
 }  // namespace
@@ -38,14 +41,15 @@ Deformation::Deformation(std::vector<Point> rest, IndexLists neighbours)
       positions_(rest_),
       rotations_(rest_.size(), Eigen::Quaterniond::Identity()),
       neighbours_(std::move(neighbours)),
-      system_(size(), size()) {
+      system_(size(), size()),
+      solver_(std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>()) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < size(); ++i) {
     entries.emplace_back(i, i, kEdgeWeight * static_cast<double>(neighbours_[i].size()));
     for (int j : neighbours_[i]) entries.emplace_back(i, j, -kEdgeWeight);
   }
   system_.setFromTriplets(entries.begin(), entries.end());
-  solver_.analyzePattern(system_);
+  solver_->analyzePattern(system_);
 }
 
 void Deformation::fit_rotations(double smoothness) {
@@ -72,7 +76,7 @@ Eigen::MatrixX3d Deformation::right_side(std::span<const Goal> goals, double sti
   for (int i = 0; i < size(); ++i) rotations[i] = rotations_[i].toRotationMatrix();
   Eigen::MatrixX3d right(size(), 3);
   for (int i = 0; i < size(); ++i) {
-    Point sum = pull(goals[i], goals[i].position);
+    Point sum = pull(goals[i]);
     for (int j : neighbours_[i])
       sum +=
           0.5 * stiffness * kEdgeWeight * ((rotations[i] + rotations[j]) * (rest_[i] - rest_[j]));
@@ -87,8 +91,8 @@ void Deformation::fit_positions(std::span<const Goal> goals, double stiffness) {
   const Eigen::SparseMatrix<double> elastic = system_ * stiffness;
   Eigen::SparseMatrix<double> isotropic = elastic;
   for (int i = 0; i < size(); ++i)
-    isotropic.coeffRef(i, i) += goals[i].weight * (1 + 2 * goals[i].tangential) / 3;
-  solver_.factorize(isotropic);
+    isotropic.coeffRef(i, i) += goals[i].weight / 3 + goals[i].anchor_weight;
+  solver_->factorize(isotropic);
   const auto apply = [&](const Eigen::MatrixX3d& x) {
     Eigen::MatrixX3d result = elastic * x;
     for (int i = 0; i < size(); ++i)
@@ -101,7 +105,7 @@ void Deformation::fit_positions(std::span<const Goal> goals, double stiffness) {
   Eigen::MatrixX3d x(size(), 3);
   for (int i = 0; i < size(); ++i) x.row(i) = positions_[i].transpose();
   Eigen::MatrixX3d residual = right_side(goals, stiffness) - apply(x);
-  Eigen::MatrixX3d direction = solver_.solve(residual);
+  Eigen::MatrixX3d direction = solver_->solve(residual);
   double rho = dot(residual, direction);
   const double enough = rho * kTolerance * kTolerance;
   for (int k = 0; k < kMaxIterations && rho > enough; ++k) {
@@ -109,7 +113,7 @@ void Deformation::fit_positions(std::span<const Goal> goals, double stiffness) {
     const double step = rho / dot(direction, image);
     x += step * direction;
     residual -= step * image;
-    const Eigen::MatrixX3d preconditioned = solver_.solve(residual);
+    const Eigen::MatrixX3d preconditioned = solver_->solve(residual);
     const double next = dot(residual, preconditioned);
     direction = preconditioned + (next / rho) * direction;
     rho = next;
@@ -122,8 +126,9 @@ std::vector<double> Deformation::energies() const {
   for (int i = 0; i < size(); ++i) {
     const Eigen::Matrix3d rotation = rotations_[i].toRotationMatrix();
     for (int j : neighbours_[i])
-      energies[i] += 0.5 * kEdgeWeight *
-                     (positions_[i] - positions_[j] - rotation * (rest_[i] - rest_[j])).squaredNorm();
+      energies[i] +=
+          0.5 * kEdgeWeight *
+          (positions_[i] - positions_[j] - rotation * (rest_[i] - rest_[j])).squaredNorm();
   }
   return energies;
 }

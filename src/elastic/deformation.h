@@ -14,13 +14,13 @@
 
 namespace isomatch::elastic {
 
-/// Where a point is pulled: a plane, and less so a point in it.
+/// Where a point is pulled: onto a plane, and to an anchor.
 struct Goal {
-  Point position;
-  Point normal;
+  Point foot{0, 0, 0};
+  Point normal{0, 0, 0};
   double weight = 0;
-  /// Share of the weight that holds along the plane as well.
-  double tangential = 1;
+  Point anchor{0, 0, 0};
+  double anchor_weight = 0;
 };
 
 /// As-rigid-as-possible deformation of a graph of points on a surface (Sorkine and Alexa 2007) with
@@ -31,6 +31,7 @@ class Deformation {
   Deformation(std::vector<Point> rest, IndexLists neighbours);
 
   int size() const { return static_cast<int>(rest_.size()); }
+  const IndexLists& neighbours() const { return neighbours_; }
   const std::vector<Point>& rest() const { return rest_; }
   const std::vector<Point>& positions() const { return positions_; }
   const std::vector<Eigen::Quaterniond>& rotations() const { return rotations_; }
@@ -53,7 +54,7 @@ class Deformation {
   std::vector<Eigen::Quaterniond> rotations_;
   IndexLists neighbours_;
   Eigen::SparseMatrix<double> system_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> solver_;
 };
 
 }  // namespace isomatch::elastic

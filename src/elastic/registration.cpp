@@ -2,53 +2,106 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "elastic/registration.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace isomatch::elastic {
+namespace {
 
-RegistrationResult register_onto(Deformation& deformation, std::span<const Point> normals,
-                                 std::span<const double> areas, const Projection& surface,
-                                 std::span<const Point> targets,
-                                 const RegistrationOptions& options) {
-  const int n = deformation.size();
-  std::vector<Goal> goals(n);
-  for (int i = 0; i < n; ++i) goals[i] = {targets[i], Point::Zero(), areas[i], 1};
-  RegistrationResult result;
-  result.feet.resize(n);
-  deformation.set_positions({targets.begin(), targets.end()});
-  const auto project = [&] {
-    for (int i = 0; i < n; ++i)
-      result.feet[i] =
-          surface(deformation.positions()[i], deformation.rotations()[i] * normals[i]);
-  };
-  double length = options.first_length;
-  const double ratio = std::pow(options.last_length / options.first_length,
-                                1.0 / std::max(1, options.steps - 1));
-  for (int i = 0; i < 10; ++i) deformation.fit_rotations(options.rotation_smoothness);
-  for (int step = 0; step < options.steps; ++step, length *= ratio) {
-    for (int k = 0; k < options.iterations; ++k) {
-      if (step >= options.initial_steps) {
-        project();
-        for (int i = 0; i < n; ++i) {
-          const double cosine =
-              result.feet[i].normal.dot(deformation.rotations()[i] * normals[i]);
-          goals[i] = {result.feet[i].position, result.feet[i].normal,
-                      areas[i] * (cosine < options.min_cosine ? 1e-3 : 1.0), options.tangential};
-        }
-      }
-      deformation.fit_positions(goals, length * length);
-      deformation.fit_rotations(options.rotation_smoothness);
+class Registrar {
+ public:
+  Registrar(const PointCloud& cloud, Deformation& deformation, const Projection& surface,
+            std::span<const Point> anchors, const RegistrationOptions& options)
+      : cloud_(cloud),
+        deformation_(deformation),
+        surface_(surface),
+        options_(options),
+        goals_(anchors.size()),
+        feet_(anchors.size()) {
+    for (std::size_t i = 0; i < anchors.size(); ++i) goals_[i].anchor = anchors[i];
+    deformation.set_positions({anchors.begin(), anchors.end()});
+  }
+
+  void run() {
+    constexpr int kInitialRotations = 10;
+    for (int i = 0; i < kInitialRotations; ++i)
+      deformation_.fit_rotations(options_.rotation_smoothness);
+    const int steps = options_.anchor_steps + options_.surface_steps;
+    for (int step = 0; step < steps; ++step) {
+      const double progress = static_cast<double>(step) / std::max(1, steps - 1);
+      const double length =
+          options_.first_length * std::pow(options_.last_length / options_.first_length, progress);
+      for (int k = 0; k < options_.iterations; ++k)
+        advance(step >= options_.anchor_steps, length * length);
     }
   }
-  project();
-  const std::vector<double> energies = deformation.energies();
-  result.elastic = std::accumulate(energies.begin(), energies.end(), 0.0);
-  for (int i = 0; i < n; ++i) {
-    result.distance += areas[i] * (deformation.positions()[i] - result.feet[i].position).norm();
-    result.normal += areas[i] * (1 - result.feet[i].normal.dot(deformation.rotations()[i] * normals[i]));
+
+  Registration result() {
+    project();
+    Registration result;
+    const std::vector<double> energies = deformation_.energies();
+    result.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
+    for (int i = 0; i < deformation_.size(); ++i) {
+      result.distance += cloud_.areas[i] * (deformation_.positions()[i] - feet_[i].position).norm();
+      result.deviation += cloud_.areas[i] * (1 - feet_[i].normal.dot(normal(i)));
+    }
+    result.feet = std::move(feet_);
+    return result;
   }
-  return result;
+
+ private:
+  Point normal(int i) const { return deformation_.rotations()[i] * cloud_.normals[i]; }
+
+  void project() {
+    for (int i = 0; i < deformation_.size(); ++i)
+      feet_[i] = surface_(deformation_.positions()[i], normal(i));
+  }
+
+  void advance(bool to_surface, double stiffness) {
+    if (to_surface) {
+      project();
+      aim_at_feet();
+    } else {
+      for (int i = 0; i < deformation_.size(); ++i) goals_[i].anchor_weight = cloud_.areas[i];
+    }
+    deformation_.fit_positions(goals_, stiffness);
+    deformation_.fit_rotations(options_.rotation_smoothness);
+  }
+
+  void aim_at_feet() {
+    constexpr double kNegligible = 1e-3;
+    for (int i = 0; i < deformation_.size(); ++i) {
+      const bool compatible = feet_[i].normal.dot(normal(i)) >= options_.min_cosine;
+      Goal& goal = goals_[i];
+      goal.foot = feet_[i].position;
+      goal.normal = feet_[i].normal;
+      goal.weight = cloud_.areas[i] * (compatible ? 1 : kNegligible);
+      if (options_.anchor_weight >= 0) {
+        goal.anchor_weight = cloud_.areas[i] * options_.anchor_weight;
+      } else {
+        goal.anchor = goal.foot;
+        goal.anchor_weight = -options_.anchor_weight * goal.weight;
+      }
+    }
+  }
+
+  const PointCloud& cloud_;
+  Deformation& deformation_;
+  const Projection& surface_;
+  const RegistrationOptions& options_;
+  std::vector<Goal> goals_;
+  std::vector<Foot> feet_;
+};
+
+}  // namespace
+
+Registration register_onto(const PointCloud& cloud, Deformation& deformation,
+                           const Projection& surface, std::span<const Point> anchors,
+                           const RegistrationOptions& options) {
+  Registrar registrar(cloud, deformation, surface, anchors, options);
+  registrar.run();
+  return registrar.result();
 }
 
 }  // namespace isomatch::elastic

@@ -10,26 +10,37 @@
 
 namespace isomatch::elastic {
 
+/// Lengths are in units of sqrt(area).
 struct RegistrationOptions {
-  /// The elastic energy weighs the square of these lengths, one step after the other.
+  /// The elastic energy weighs the square of a length that falls geometrically.
   double first_length = 0.3, last_length = 0.02;
-  int steps = 20;
-  int initial_steps = 5;
-  int iterations = 2;
+  /// Steps towards the anchors alone, then steps towards the surface as well.
+  int anchor_steps = 5, surface_steps = 15;
+  /// Alternations between projection, positions and rotations in a step.
+  int iterations = 4;
+  /// Weight of the anchors in the second phase. If negative, the points slide along the surface
+  /// with this much friction instead.
+  double anchor_weight = -0.1;
   double rotation_smoothness = 0.5;
+  /// Points whose normal deviates more from the surface's are not drawn to it.
   double min_cosine = 0.3;
-  double tangential = 0.1;
 };
 
-struct RegistrationResult {
+struct Registration {
   std::vector<Foot> feet;
-  double elastic = 0, distance = 0, normal = 0;
+  /// Elastic energy, mean distance to the surface and mean deviation of normals, 1 - cosine.
+  double energy = 0, distance = 0, deviation = 0;
 };
 
-/// Deforms a graph of points onto a surface, starting at `targets`.
-RegistrationResult register_onto(Deformation& deformation, std::span<const Point> normals,
-                                 std::span<const double> areas, const Projection& surface,
-                                 std::span<const Point> targets,
-                                 const RegistrationOptions& options);
+/// Points with normals and the area that each stands for.
+struct PointCloud {
+  std::vector<Point> positions, normals;
+  std::vector<double> areas;
+};
+
+/// Deforms a cloud onto a surface, beginning at `anchors`.
+Registration register_onto(const PointCloud& cloud, Deformation& deformation,
+                           const Projection& surface, std::span<const Point> anchors,
+                           const RegistrationOptions& options);
 
 }  // namespace isomatch::elastic

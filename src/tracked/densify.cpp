@@ -6,30 +6,32 @@
 #include <cmath>
 
 namespace isomatch::tracked {
+namespace {
 
-std::vector<int> densify(const Proxy& source, const std::vector<int>& source_landmarks,
-                         const Proxy& target, const std::vector<int>& target_landmarks,
-                         const DensifyOptions& options, const Context& context) {
-  std::vector<int> map(source.nodes.size());
-  const int n = target.num_vertices();
-  const int rows = static_cast<int>(target_landmarks.size());
-  const auto closeness = [&](float distance) { return 1 / (distance + options.offset); };
-  FloatMatrix near(rows, n);
-  for (int j = 0; j < rows; ++j)
-    near.row(j) = target.distances.row(target_landmarks[j]).unaryExpr(closeness);
-#pragma omp parallel num_threads(context.threads)
-  {
-    std::vector<float> cost(n);
-#pragma omp for schedule(static)
-    for (int i = 0; i < source.num_nodes(); ++i) {
-      std::ranges::fill(cost, 0.0F);
-      for (int j = 0; j < rows; ++j) {
-        const float expected = closeness(source.node_distance(source_landmarks[j], i));
-        const float* values = near.row(j).data();
-        for (int v = 0; v < n; ++v) cost[v] += std::abs(expected - values[v]);
-      }
-      map[i] = static_cast<int>(std::ranges::min_element(cost) - cost.begin());
+constexpr float kClosenessOffset = 0.1F;
+
+float closeness(float distance) { return 1 / (distance + kClosenessOffset); }
+
+}  // namespace
+
+std::vector<int> densify(const Proxy& source, const Proxy& target, const Hypothesis& hypothesis,
+                         int count) {
+  const int n = target.num_nodes();
+  const int landmarks = static_cast<int>(hypothesis.target_nodes.size());
+  FloatMatrix near(landmarks, n);
+  for (int j = 0; j < landmarks; ++j)
+    for (int t = 0; t < n; ++t)
+      near(j, t) = closeness(target.node_distance(hypothesis.target_nodes[j], t));
+  std::vector<int> map(count);
+  std::vector<float> cost(n);
+  for (int i = 0; i < count; ++i) {
+    std::ranges::fill(cost, 0.0F);
+    for (int j = 0; j < landmarks; ++j) {
+      const float expected = closeness(source.node_distance(hypothesis.source_nodes[j], i));
+      const float* values = near.row(j).data();
+      for (int t = 0; t < n; ++t) cost[t] += std::abs(expected - values[t]);
     }
+    map[i] = static_cast<int>(std::ranges::min_element(cost) - cost.begin());
   }
   return map;
 }

@@ -4,19 +4,16 @@
 
 #include <vector>
 
+#include "tracked/hypotheses.h"
 #include "tracked/proxy.h"
 
 namespace isomatch::tracked {
 
-struct DensifyOptions {
-  /// Landmarks at distance g weigh 1 / (g + offset)^2.
-  float offset = 0.1F;
-};
-
-/// For every node of the source the target vertex that keeps the distances to the landmarks best,
-/// near ones before far ones. `source_landmarks` and `target_landmarks` are nodes, in pairs.
-std::vector<int> densify(const Proxy& source, const std::vector<int>& source_landmarks,
-                         const Proxy& target, const std::vector<int>& target_landmarks,
-                         const DensifyOptions& options, const Context& context);
+/// Extends a hypothesis to the first `count` nodes of the source: to each the target node that
+/// agrees best on how close the landmarks are. Closeness, 1 / (g + c), weighs near landmarks by
+/// 1 / (g + c)^2, and does not let two limbs share one as distances do. Returns target nodes.
+/// O(count * landmarks * nodes).
+std::vector<int> densify(const Proxy& source, const Proxy& target, const Hypothesis& hypothesis,
+                         int count);
 
 }  // namespace isomatch::tracked

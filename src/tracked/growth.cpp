@@ -8,8 +8,8 @@
 
 namespace isomatch::tracked {
 
-Growth::Growth(const Landmarks& source, int source_count, const Landmarks& target,
-               int target_count, const GrowthOptions& options)
+Growth::Growth(const Landmarks& source, int source_count, const Landmarks& target, int target_count,
+               const GrowthOptions& options)
     : source_(source),
       target_(target),
       options_(options),

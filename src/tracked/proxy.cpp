@@ -67,8 +67,7 @@ void measure_normals(Proxy& proxy) {
   proxy.normals.assign(proxy.mesh.vertices.size(), Point::Zero());
   for (const Face& face : proxy.mesh.faces) {
     const Point& p = proxy.mesh.vertices[face[0]];
-    const Point normal =
-        (proxy.mesh.vertices[face[1]] - p).cross(proxy.mesh.vertices[face[2]] - p);
+    const Point normal = (proxy.mesh.vertices[face[1]] - p).cross(proxy.mesh.vertices[face[2]] - p);
     for (int v : face) proxy.normals[v] += normal;
   }
   for (Point& normal : proxy.normals) normal.normalize();
@@ -88,28 +87,6 @@ std::vector<int> spread_nodes(const GeodesicGraph& graph, int count) {
   return farthest_points(graph, all, count, start);
 }
 
-void partition(const GeodesicGraph& graph, Proxy& proxy) {
-  const std::vector<int> nearest = GeodesicSearch(graph).nearest_source(proxy.nodes).nearest;
-  const std::vector<double> areas = vertex_areas(proxy.mesh);
-  proxy.node_areas.assign(proxy.nodes.size(), 0.0);
-  for (int v = 0; v < proxy.num_vertices(); ++v) proxy.node_areas[nearest[v]] += areas[v];
-  std::vector<std::set<int>> touching(proxy.nodes.size());
-  for (const Face& face : proxy.mesh.faces) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = nearest[face[k]], b = nearest[face[(k + 1) % 3]];
-      if (a == b) continue;
-      touching[a].insert(b);
-      touching[b].insert(a);
-    }
-  }
-  std::vector<int> offsets{0}, values;
-  for (const auto& set : touching) {
-    values.insert(values.end(), set.begin(), set.end());
-    offsets.push_back(static_cast<int>(values.size()));
-  }
-  proxy.neighbours = IndexLists(std::move(offsets), std::move(values));
-}
-
 void measure_distances(const GeodesicGraph& graph, Proxy& proxy, const Context& context) {
   const std::size_t n = proxy.mesh.vertices.size();
   proxy.distances.resize(proxy.num_nodes(), static_cast<Eigen::Index>(n));
@@ -124,6 +101,35 @@ void measure_distances(const GeodesicGraph& graph, Proxy& proxy, const Context& 
 
 }  // namespace
 
+NodeGraph node_graph(const Proxy& proxy, int count) {
+  count = std::min(count, proxy.num_nodes());
+  std::vector<int> nearest(proxy.mesh.vertices.size());
+  for (int v = 0; v < proxy.num_vertices(); ++v)
+    proxy.distances.col(v).head(count).minCoeff(&nearest[v]);
+  NodeGraph graph;
+  graph.cloud.areas.assign(count, 0.0);
+  const std::vector<double> areas = vertex_areas(proxy.mesh);
+  for (int v = 0; v < proxy.num_vertices(); ++v) graph.cloud.areas[nearest[v]] += areas[v];
+  std::vector<std::set<int>> touching(count);
+  for (const Face& face : proxy.mesh.faces) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = nearest[face[k]], b = nearest[face[(k + 1) % 3]];
+      if (a == b) continue;
+      touching[a].insert(b);
+      touching[b].insert(a);
+    }
+  }
+  std::vector<int> offsets{0}, values;
+  for (int i = 0; i < count; ++i) {
+    graph.cloud.positions.push_back(proxy.node_position(i));
+    graph.cloud.normals.push_back(proxy.node_normal(i));
+    values.insert(values.end(), touching[i].begin(), touching[i].end());
+    offsets.push_back(static_cast<int>(values.size()));
+  }
+  graph.neighbours = IndexLists(std::move(offsets), std::move(values));
+  return graph;
+}
+
 Proxy make_proxy(const Shape& shape, const ProxyOptions& options, const Context& context) {
   Proxy proxy;
   const Mesh mesh = normalised(shape, proxy.oriented);
@@ -132,7 +138,6 @@ Proxy make_proxy(const Shape& shape, const ProxyOptions& options, const Context&
   measure_normals(proxy);
   const GeodesicGraph graph(proxy.mesh, {}, context);
   proxy.nodes = spread_nodes(graph, options.nodes);
-  partition(graph, proxy);
   measure_distances(graph, proxy, context);
   return proxy;
 }

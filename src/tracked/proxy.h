@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "elastic/registration.h"
 #include "isomatch/context.h"
 #include "isomatch/shape.h"
 #include "isomatch/topology.h"
@@ -33,10 +34,6 @@ struct Proxy {
   std::vector<Point> normals;
   /// Proxy vertex of each node.
   std::vector<int> nodes;
-  /// Share of the surface that is nearest to each node.
-  std::vector<double> node_areas;
-  /// For each node those whose Voronoi cells touch its own, ascending.
-  IndexLists neighbours;
   /// Geodesic distances from the nodes (rows) to all vertices (columns).
   FloatMatrix distances;
 
@@ -46,6 +43,16 @@ struct Proxy {
   const Point& node_normal(int node) const { return normals[nodes[node]]; }
   float node_distance(int a, int b) const { return distances(a, nodes[b]); }
 };
+
+/// The first `count` nodes of a proxy as a graph.
+struct NodeGraph {
+  elastic::PointCloud cloud;
+  /// For each node those whose Voronoi cells touch its own, ascending.
+  IndexLists neighbours;
+};
+
+/// O(count * vertices).
+NodeGraph node_graph(const Proxy& proxy, int count);
 
 /// O(N log N + nodes * vertices log vertices).
 Proxy make_proxy(const Shape& shape, const ProxyOptions& options, const Context& context);

@@ -11,9 +11,9 @@ namespace {
 
 std::vector<double> integral_distances(const Proxy& proxy) {
   std::vector<double> integral(proxy.nodes.size(), 0.0);
+  const std::vector<double> areas = vertex_areas(proxy.mesh);
   for (int a = 0; a < proxy.num_nodes(); ++a)
-    for (int b = 0; b < proxy.num_nodes(); ++b)
-      integral[a] += proxy.node_areas[b] * proxy.node_distance(a, b);
+    for (int v = 0; v < proxy.num_vertices(); ++v) integral[a] += areas[v] * proxy.distances(a, v);
   return integral;
 }
 
@@ -79,8 +79,8 @@ class SeedSearch {
 
   bool compatible(int s, int t, double& gain) const {
     for (const Match& other : matches_) {
-      const double difference = std::abs(source_.node_distance(s, other.source) -
-                                         target_.node_distance(t, other.target));
+      const double difference =
+          std::abs(source_.node_distance(s, other.source) - target_.node_distance(t, other.target));
       if (difference > options_.max_difference) return false;
       gain += options_.neutral_difference - difference;
     }

@@ -11,12 +11,14 @@
 namespace isomatch::tracked {
 
 UnitSurface unit_surface(const Shape& shape) {
-  UnitSurface surface{shape.surface.mesh, vertex_faces(shape.surface.mesh), false, {}};
+  UnitSurface surface;
+  surface.mesh = shape.surface.mesh;
+  surface.faces = vertex_faces(surface.mesh);
+  surface.scale = std::sqrt(shape.surface.area);
   Mesh& mesh = surface.mesh;
-  const double scale = 1 / std::sqrt(shape.surface.area);
-  const Point centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
-                       mesh.num_vertices();
-  for (Point& p : mesh.vertices) p = (p - centre) * scale;
+  surface.centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
+                   mesh.num_vertices();
+  for (Point& p : mesh.vertices) p = (p - surface.centre) / surface.scale;
   const auto signs = face_orientation(mesh);
   surface.oriented = signs.has_value();
   for (int f = 0; surface.oriented && f < mesh.num_faces(); ++f)
@@ -33,7 +35,7 @@ UnitSurface unit_surface(const Shape& shape) {
 
 DeformedSurface transfer(const Shape& shape, const UnitSurface& surface, const Proxy& proxy,
                          const elastic::Deformation& deformation) {
-  std::vector<int> sources(proxy.nodes.size());
+  std::vector<int> sources(deformation.size());
   for (std::size_t i = 0; i < sources.size(); ++i)
     sources[i] = proxy.surface_vertex[proxy.nodes[i]];
   const std::vector<int> nearest = GeodesicSearch(shape.graph).nearest_source(sources).nearest;
@@ -41,7 +43,7 @@ DeformedSurface transfer(const Shape& shape, const UnitSurface& surface, const P
   for (std::size_t v = 0; v < nearest.size(); ++v) {
     const Point& p = surface.mesh.vertices[v];
     std::vector<int> nodes{nearest[v]};
-    for (int j : proxy.neighbours[nearest[v]]) nodes.push_back(j);
+    for (int j : deformation.neighbours()[nearest[v]]) nodes.push_back(j);
     double reach = 0;
     for (int j : nodes) reach = std::max(reach, (p - deformation.rest()[j]).norm());
     double total = 0;

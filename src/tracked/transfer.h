@@ -12,6 +12,9 @@ namespace isomatch::tracked {
 /// A surface with normals, at unit area, as `Proxy` has it.
 struct UnitSurface {
   Mesh mesh;
+  /// Coordinates of the shape are `scale` times those of `mesh` plus `centre`.
+  double scale = 1;
+  Point centre{0, 0, 0};
   IndexLists faces;
   bool oriented = false;
   std::vector<Point> normals;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "isomatch/correspondence.h"
+#include "isomatch/mesh.h"
+#include "isomatch/surface.h"
+
+namespace isomatch {
+
+/// A point on a triangle mesh: a face and the barycentric weights of its corners, in their order.
+/// Weights are in [0, 1] and sum to 1. `face` is `kNoFace` if there is no such point.
+struct SurfacePoint {
+  int face = -1;
+  std::array<double, 3> weights{};
+
+  bool operator==(const SurfacePoint&) const = default;
+};
+
+/// A map from every vertex of one mesh to a point on another, always named by its direction, as in
+/// `source_to_target`.
+using SurfaceMap = std::vector<SurfacePoint>;
+
+/// Where `point`, which must have a face, lies in space.
+Point position(const Mesh& mesh, const SurfacePoint& point);
+
+/// The vertex with the largest weight of each point (the first of equal ones), `kUnmatched` where
+/// there is none.
+VertexMap nearest_vertices(const Mesh& mesh, const SurfaceMap& map);
+
+/// A map between surfaces as one between the input meshes. Input vertices that are not part of the
+/// source's surface have no point.
+SurfaceMap input_map(const Surface& source, const Surface& target, const SurfaceMap& map);
+
+}  // namespace isomatch

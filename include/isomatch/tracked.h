@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "isomatch/context.h"
+#include "isomatch/correspondence.h"
+#include "isomatch/shape.h"
+#include "isomatch/stage_times.h"
+#include "isomatch/surface_map.h"
+
+namespace isomatch {
+
+struct TrackedOptions {
+  /// Also accept maps that turn the surface inside out. Without orientation on both meshes every
+  /// map may do so.
+  bool allow_reflection = false;
+  /// Choose among hypotheses by elastic energy; without, by distortion and orientation alone.
+  bool elastic_judging = true;
+  /// Refine below the landmarks' precision by alternating spectral and elastic steps.
+  bool refinement = true;
+  /// Maps besides the best one that are refined and returned, if there are as many.
+  int alternatives = 0;
+  /// Pairs of surface vertices that must match. No source vertex twice.
+  Correspondence landmarks;
+
+  /// Throws `InvalidInput` if a value is out of range.
+  void validate() const;
+};
+
+/// One of the maps that were tracked. Lengths and energies refer to surfaces of unit area.
+struct TrackedMap {
+  /// A point on the target surface for every source vertex, and the other way round.
+  SurfaceMap source_to_target, target_to_source;
+  /// The source's vertices after registration, in the target's coordinates.
+  std::vector<Point> registered;
+  /// As-rigid-as-possible energy of the registration; the less, the better.
+  double energy = 0;
+  /// Mean distance of the registered nodes from the target.
+  double distance = 0;
+  /// Mean deviation of their normals from the target's, 1 - cosine.
+  double deviation = 0;
+  /// Mean isometric distortion and local orientation in [-1, 1] of the hypothesis it began as.
+  double distortion = 0, orientation = 0;
+};
+
+/// What became of a hypothesis.
+struct HypothesisSummary {
+  double distortion = 0, orientation = 0;
+  /// Elastic energy of a quick, coarse registration, by which hypotheses are ranked.
+  double coarse_energy = 0;
+};
+
+struct TrackedResult {
+  /// The best map, then the alternatives.
+  std::vector<TrackedMap> maps;
+  /// All hypotheses that were judged, best first.
+  std::vector<HypothesisSummary> hypotheses;
+  /// 1 - E1 / E2 with the energies of the best and the second best map that are really different:
+  /// near 0 where the choice is ambiguous. 1 if there was no other.
+  double confidence = 0;
+  /// Whether both surfaces tell outside from inside, so that mirrored maps could be excluded.
+  bool oriented = false;
+  std::vector<StageTime> times;
+};
+
+/// The tracked method: hypotheses from partial matchings of extremities, grown landmark by landmark
+/// under isometric distortion and orientation; judged by elastic registration; the best refined by
+/// alternating spectral maps (Melzi et al. 2019) and as-rigid-as-possible registration (Sorkine and
+/// Alexa 2007), and carried over to all vertices. Deterministic for any number of threads. Throws
+/// `InvalidInput` if an option is out of range or no hypothesis is found, `Cancelled` if `context`
+/// says so. O(N log N).
+TrackedResult match_tracked(const Shape& source, const Shape& target,
+                            const TrackedOptions& options = {}, const Context& context = {});
+
+/// A many-to-many relation in which every vertex of both surfaces occurs: `source_to_target` at its
+/// nearest vertices, and the nearest source of each target vertex that it does not hit.
+Correspondence matches(const Shape& source, const Shape& target, const TrackedMap& map);
+
+}  // namespace isomatch

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "spectral/eigenbasis.h"
+
+#include <Spectra/SymEigsSolver.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+
+#include "cotangent_laplacian.h"
+#include "isomatch/error.h"
+
+namespace isomatch::spectral {
+namespace {
+
+/// Multiplies by the inverse of a sparse matrix, as Spectra wants it.
+class Inverse {
+ public:
+  using Scalar = double;
+
+  explicit Inverse(const Eigen::SparseMatrix<double>& matrix) : solver_(matrix) {}
+
+  Eigen::Index rows() const { return solver_.rows(); }
+  Eigen::Index cols() const { return solver_.cols(); }
+  void perform_op(const double* in, double* out) const {
+    Eigen::Map<Eigen::VectorXd>(out, rows()) =
+        solver_.solve(Eigen::Map<const Eigen::VectorXd>(in, rows()));
+  }
+
+ private:
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+};
+
+}  // namespace
+
+Eigenbasis eigenbasis(const Mesh& mesh, int count) {
+  // Far from the spectrum of a surface of unit area, near enough to invert well.
+  const double shift = 1 / surface_area(mesh);
+  const std::vector<double> areas = vertex_areas(mesh);
+  Eigen::VectorXd scale(mesh.num_vertices());
+  for (int v = 0; v < mesh.num_vertices(); ++v)
+    scale[v] = 1 / std::sqrt(std::max(areas[v], 1e-3 * surface_area(mesh) / mesh.num_vertices()));
+  Eigen::SparseMatrix<double> matrix = scale.asDiagonal() *
+                                       Eigen::SparseMatrix<double>(cotangent_laplacian(mesh)) *
+                                       scale.asDiagonal();
+  for (int v = 0; v < mesh.num_vertices(); ++v) matrix.coeffRef(v, v) += shift;
+  Inverse inverse(matrix);
+  const int n = mesh.num_vertices();
+  count = std::min(count, n - 1);
+  Spectra::SymEigsSolver<Inverse> solver(inverse, count, std::min(n, 2 * count + 20));
+  solver.init();
+  constexpr int kMaxRestarts = 200;
+  constexpr double kTolerance = 1e-6;
+  solver.compute(Spectra::SortRule::LargestMagn, kMaxRestarts, kTolerance);
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw InternalError("the eigenfunctions of a surface do not converge");
+  return {(scale.asDiagonal() * solver.eigenvectors()).cast<float>(),
+          solver.eigenvalues().cwiseInverse().array() - shift};
+}
+
+}  // namespace isomatch::spectral

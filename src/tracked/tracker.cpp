@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/tracker.h"
+
+#include <algorithm>
+
+#include "tracked/densify.h"
+
+namespace isomatch::tracked {
+namespace {
+
+spectral::Samples samples_at(const Proxy& proxy, const spectral::Eigenbasis& basis,
+                             const elastic::PointCloud& cloud) {
+  spectral::Samples samples;
+  const auto n = static_cast<Eigen::Index>(cloud.areas.size());
+  samples.functions.resize(n, basis.functions.cols());
+  samples.areas.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    samples.functions.row(i) = basis.functions.row(proxy.nodes[i]);
+    samples.areas[i] = static_cast<float>(cloud.areas[i]);
+  }
+  return samples;
+}
+
+std::vector<Point> node_positions(const Proxy& proxy, const std::vector<int>& nodes) {
+  std::vector<Point> positions;
+  for (int node : nodes) positions.push_back(proxy.node_position(node));
+  return positions;
+}
+
+}  // namespace
+
+std::pair<Model, Model> make_models(const Shape& source, const Shape& target,
+                                    const TrackerOptions& options, const Context& context) {
+  std::pair<Model, Model> models{{source, unit_surface(source), {}, {}, {}, {}, {}},
+                                 {target, unit_surface(target), {}, {}, {}, {}, {}}};
+  Model* const both[] = {&models.first, &models.second};
+  for (Model* model : both) {
+    model->proxy = make_proxy(model->shape, options.proxy, context);
+    model->coarse = node_graph(model->proxy, options.coarse_nodes);
+    model->fine = node_graph(model->proxy, options.proxy.nodes);
+  }
+#pragma omp parallel for num_threads(context.threads)
+  for (int k = 0; k < 2; ++k)
+    both[k]->basis = spectral::eigenbasis(both[k]->proxy.mesh, options.next_spectral.last);
+  for (Model* model : both)
+    model->samples = samples_at(model->proxy, model->basis, model->fine.cloud);
+  return models;
+}
+
+std::vector<Judged> judge(const Model& source, const Model& target,
+                          std::vector<Hypothesis> hypotheses, const TrackerOptions& options,
+                          const Context& context) {
+  const elastic::Projection surface(target.proxy.mesh, target.proxy.faces, target.proxy.normals,
+                                    options.normal_weight);
+  std::vector<Judged> judged(hypotheses.size());
+#pragma omp parallel for schedule(dynamic) num_threads(context.threads)
+  for (std::size_t k = 0; k < hypotheses.size(); ++k) {
+    const auto anchors =
+        node_positions(target.proxy, densify(source.proxy, target.proxy, hypotheses[k],
+                                             static_cast<int>(source.coarse.cloud.areas.size())));
+    elastic::Deformation deformation(source.coarse.cloud.positions, source.coarse.neighbours);
+    const double energy =
+        register_onto(source.coarse.cloud, deformation, surface, anchors, options.judging).energy;
+    judged[k] = {std::move(hypotheses[k]), energy};
+  }
+  std::ranges::stable_sort(judged, {}, &Judged::energy);
+  return judged;
+}
+
+Track follow(const Model& source, const Model& target, const Hypothesis& hypothesis,
+             const TrackerOptions& options, const Context& context) {
+  const elastic::Projection surface(target.proxy.mesh, target.proxy.faces, target.proxy.normals,
+                                    options.normal_weight);
+  const elastic::PointCloud& cloud = source.fine.cloud;
+  const spectral::SpectralTarget spectral{target.proxy.mesh, target.proxy.faces, target.basis};
+  Track track{{cloud.positions, source.fine.neighbours}, {}, {}};
+  auto anchors = node_positions(target.proxy, densify(source.proxy, target.proxy, hypothesis,
+                                                      static_cast<int>(cloud.areas.size())));
+  for (int round = 0;; ++round) {
+    const bool first = round == 0;
+    track.registration =
+        register_onto(cloud, track.deformation, surface, anchors,
+                      first ? options.first_registration : options.next_registration);
+    if (round == options.rounds) return track;
+    track.vertices.clear();
+    for (const elastic::Foot& foot : track.registration.feet) {
+      const auto largest = std::ranges::max_element(foot.weights) - foot.weights.begin();
+      track.vertices.push_back(target.proxy.mesh.faces[foot.face][largest]);
+    }
+    track.vertices = refine(source.samples, spectral, track.vertices,
+                            first ? options.first_spectral : options.next_spectral, context);
+    anchors.clear();
+    for (int v : track.vertices) anchors.push_back(target.proxy.mesh.vertices[v]);
+  }
+}
+
+std::vector<Finalist> run_finals(const Model& source, const Model& target,
+                                 const std::vector<Judged>& judged, const TrackerOptions& options,
+                                 const Context& context) {
+  const auto distance = [&](const Track& a, const Track& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.registration.feet.size(); ++i)
+      sum += source.fine.cloud.areas[i] *
+             (a.registration.feet[i].position - b.registration.feet[i].position).norm();
+    return sum;
+  };
+  std::vector<Finalist> finalists;
+  for (const Judged& j : judged) {
+    if (static_cast<int>(finalists.size()) == options.finalists) break;
+    finalists.push_back({j.hypothesis, follow(source, target, j.hypothesis, options, context)});
+  }
+  std::ranges::stable_sort(finalists, {},
+                           [](const Finalist& f) { return f.track.registration.energy; });
+  std::vector<Finalist> different;
+  for (Finalist& finalist : finalists) {
+    const bool known = std::ranges::any_of(different, [&](const Finalist& other) {
+      return distance(finalist.track, other.track) < options.hypotheses.same_distance;
+    });
+    if (!known) different.push_back(std::move(finalist));
+  }
+  return different;
+}
+
+}  // namespace isomatch::tracked
