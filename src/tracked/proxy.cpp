@@ -28,7 +28,7 @@ std::vector<Index> simplified(const Mesh& mesh, int count) {
   for (const Point& p : mesh.vertices)
     for (int k = 0; k < 3; ++k) positions.push_back(static_cast<float>(p[k]));
   std::vector<Index> result(indices.size());
-  const std::size_t target = static_cast<std::size_t>(count) * 6;
+  const std::size_t target = std::min(static_cast<std::size_t>(count) * 6, indices.size());
   result.resize(meshopt_simplify(result.data(), indices.data(), indices.size(), positions.data(),
                                  mesh.vertices.size(), 3 * sizeof(float), target, 1.0F, 0,
                                  nullptr));

@@ -3,6 +3,7 @@
 #include "tracked/tracker.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tracked/densify.h"
 
@@ -42,7 +43,7 @@ std::pair<Model, Model> make_models(const Shape& source, const Shape& target,
   }
 #pragma omp parallel for num_threads(context.threads)
   for (int k = 0; k < 2; ++k)
-    both[k]->basis = spectral::eigenbasis(both[k]->proxy.mesh, options.next_spectral.last);
+    both[k]->basis = spectral::eigenbasis(both[k]->proxy.mesh, options.last_basis);
   for (Model* model : both)
     model->samples = samples_at(model->proxy, model->basis, model->fine.cloud);
   return models;
@@ -77,22 +78,26 @@ Track follow(const Model& source, const Model& target, const Hypothesis& hypothe
   Track track{{cloud.positions, source.fine.neighbours}, {}, {}};
   auto anchors = node_positions(target.proxy, densify(source.proxy, target.proxy, hypothesis,
                                                       static_cast<int>(cloud.areas.size())));
-  for (int round = 0;; ++round) {
-    const bool first = round == 0;
-    track.registration =
-        register_onto(cloud, track.deformation, surface, anchors,
-                      first ? options.first_registration : options.next_registration);
-    if (round == options.rounds) return track;
+  track.registration =
+      register_onto(cloud, track.deformation, surface, anchors, options.first_registration);
+  for (int round = 0; round < options.rounds; ++round) {
+    const double progress = static_cast<double>(round) / std::max(1, options.rounds - 1);
     track.vertices.clear();
     for (const elastic::Foot& foot : track.registration.feet) {
       const auto largest = std::ranges::max_element(foot.weights) - foot.weights.begin();
       track.vertices.push_back(target.proxy.mesh.faces[foot.face][largest]);
     }
-    track.vertices = refine(source.samples, spectral, track.vertices,
-                            first ? options.first_spectral : options.next_spectral, context);
+    const int size = static_cast<int>(std::lround(
+        options.first_basis * std::pow(static_cast<double>(options.last_basis) / options.first_basis, progress)));
+    track.vertices = refine(source.samples, spectral, track.vertices, {size, size, 1}, context);
     anchors.clear();
     for (int v : track.vertices) anchors.push_back(target.proxy.mesh.vertices[v]);
+    elastic::RegistrationOptions step = options.next_registration;
+    step.last_length = step.first_length * std::pow(step.last_length / step.first_length, progress);
+    step.first_length = step.last_length * options.length_fall;
+    track.registration = register_onto(cloud, track.deformation, surface, anchors, step);
   }
+  return track;
 }
 
 std::vector<Finalist> run_finals(const Model& source, const Model& target,

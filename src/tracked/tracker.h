@@ -36,16 +36,12 @@ struct TrackerOptions {
                                        .surface_steps = 9,
                                        .iterations = 2};
   elastic::RegistrationOptions first_registration;
-  elastic::RegistrationOptions next_registration{.first_length = 0.05,
-                                                 .last_length = 0.02,
-                                                 .anchor_steps = 3,
-                                                 .surface_steps = 1,
-                                                 .iterations = 4};
-  spectral::SpectralOptions first_spectral{20, 100, 20};
-  spectral::SpectralOptions next_spectral{60, 100, 20};
-  int rounds = 2;
+  /// Of the alternation: in each round a length between the two, and the steps.
+  elastic::RegistrationOptions next_registration{.first_length = 0.1, .last_length = 0.02, .anchor_steps = 2, .surface_steps = 1, .iterations = 3};
+  int first_basis = 20, last_basis = 100;
+  int rounds = 6;
+  double length_fall = 1;
 };
-
 /// The models of both shapes. O(N log N).
 std::pair<Model, Model> make_models(const Shape& source, const Shape& target,
                                     const TrackerOptions& options, const Context& context);
