@@ -59,7 +59,7 @@ Json tracked_options_json(const MatchArguments& arguments, const TrackedArgument
 
 std::string describe_confidence(const TrackedRun& run) {
   const TrackedResult& result = run.result;
-  if (result.hypotheses.size() < 2) return "clear: there was no other map to choose from";
+  if (result.confidence >= 1) return "clear: there was no other";
   if (result.confidence >= kClearConfidence) return fmt::format("clear, {:.2f}", result.confidence);
   return fmt::format("ambiguous, {:.2f}: the second best map differs and is nearly as good",
                      result.confidence);
