@@ -5,12 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
 #include "input_file.h"
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
+#include "isomatch/topology.h"
 #include "text_cursor.h"
 
 namespace isomatch {
@@ -76,6 +79,53 @@ Correspondence read_pair_lines(const InputFile& file, VertexCounts counts, Numbe
   return matches;
 }
 
+std::vector<Match> read_landmark_lines(const InputFile& file, VertexCounts counts) {
+  const VertexRange sources = source_range(counts, Numbering::kFromZero);
+  const VertexRange targets = target_range(counts, Numbering::kFromZero);
+  std::vector<char> taken(counts.source, 0);
+  std::vector<Match> landmarks;
+  TextCursor cursor(file);
+  while (cursor.find_content()) {
+    const TextCursor before = cursor;
+    const int source = read_vertex(cursor, sources, false);
+    if (taken[source]) before.fail(fmt::format("source vertex {} has a landmark already", source));
+    taken[source] = 1;
+    landmarks.push_back({source, read_vertex(cursor, targets, false)});
+    cursor.skip_line();
+  }
+  if (landmarks.empty()) file.fail("no landmarks in it");
+  return landmarks;
+}
+
+/// How far weights may be off by the rounding of whoever wrote them.
+constexpr double kWeightTolerance = 1e-6;
+
+std::array<double, 3> read_weights(TextCursor& cursor) {
+  std::array<double, 3> weights{};
+  for (double& weight : weights) {
+    const TextCursor before = cursor;
+    weight = cursor.number();
+    if (weight < -kWeightTolerance || weight > 1 + kWeightTolerance)
+      before.fail(fmt::format("weight {} is not in [0, 1]", weight));
+  }
+  return weights;
+}
+
+SurfacePoint read_surface_point(TextCursor& cursor, int num_faces, int first) {
+  const TextCursor before = cursor;
+  const std::int64_t number = cursor.integer();
+  if (number < std::int64_t{first} - 1 || number >= std::int64_t{first} + num_faces)
+    before.fail(fmt::format("face {} is out of range: the target has {} faces, numbered from {}",
+                            number, num_faces, first));
+  const SurfacePoint point{static_cast<int>(number - first), read_weights(cursor)};
+  const double sum = point.weights[0] + point.weights[1] + point.weights[2];
+  const double expected = point.face == kNoFace ? 0 : 1;
+  if (std::abs(sum - expected) > kWeightTolerance)
+    before.fail(fmt::format("the weights sum to {} instead of {}", sum, expected));
+  cursor.expect_line_end();
+  return point;
+}
+
 bool first_line_has_two_words(const InputFile& file) {
   TextCursor cursor(file);
   if (!cursor.find_content()) file.fail("no vertices in it");
@@ -108,6 +158,22 @@ VertexMap read_source_to_target(const std::string& path, VertexCounts counts, Nu
   return read_map_lines(InputFile(path), counts, numbering);
 }
 
+std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts) {
+  return read_landmark_lines(InputFile(path), counts);
+}
+
+SurfaceMap read_surface_map(const std::string& path, SurfaceMapCounts counts, Numbering numbering) {
+  const InputFile file(path);
+  SurfaceMap map;
+  TextCursor cursor(file);
+  while (cursor.find_content())
+    map.push_back(read_surface_point(cursor, counts.target_faces, static_cast<int>(numbering)));
+  if (std::ssize(map) != counts.source_vertices)
+    file.fail(fmt::format("the map has {} lines, but the source has {} vertices", map.size(),
+                          counts.source_vertices));
+  return map;
+}
+
 std::vector<int> read_vts(const std::string& path, int num_vertices) {
   const InputFile file(path);
   const VertexRange range{"shape", num_vertices, 1};
@@ -136,6 +202,13 @@ void write_correspondence(const std::string& path, const Correspondence& corresp
       fmt::format_to(out, "{} {}\n", source, target);
     else
       fmt::format_to(out, "{} {} {}\n", source, target, d_iso[i]);
+  });
+}
+
+void write_surface_map(const std::string& path, const SurfaceMap& map) {
+  write_lines(path, map.size(), [&](auto out, std::size_t i) {
+    const auto& [face, weights] = map[i];
+    fmt::format_to(out, "{} {} {} {}\n", face, weights[0], weights[1], weights[2]);
   });
 }
 

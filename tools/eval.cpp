@@ -8,6 +8,7 @@
 #include "command.h"
 #include "isomatch/error.h"
 #include "isomatch/map_io.h"
+#include "isomatch/mesh_io.h"
 #include "isomatch/metrics.h"
 #include "json.h"
 #include "load.h"
@@ -30,6 +31,8 @@ struct TruthEvaluation {
   std::size_t points_in_files = 0;
   int points = 0;
   ErrorStatistics template_errors;
+  /// Of a map to points on triangles.
+  std::optional<ErrorStatistics> point_errors;
   ErrorStatistics match_errors;
 };
 
@@ -46,39 +49,67 @@ struct Evaluation {
   }
 };
 
+struct EvalInputs {
+  Shape source, target;
+  /// Of the target's file.
+  int target_faces;
+  Correspondence matches;
+  /// In the numbers of the surfaces, if the map leads to points on triangles.
+  std::optional<SurfaceMap> points;
+};
+
 int input_vertices(const Shape& shape) {
   return static_cast<int>(shape.surface.surface_vertex.size());
 }
 
-Correspondence read_map(const EvalArguments& arguments, const Shape& source, const Shape& target) {
-  const VertexCounts counts{input_vertices(source), input_vertices(target)};
+void read_map(const EvalArguments& arguments, EvalInputs& inputs) {
+  const VertexCounts counts{input_vertices(inputs.source), input_vertices(inputs.target)};
   const Numbering numbering = arguments.one_based ? Numbering::kFromOne : Numbering::kFromZero;
-  return surface_matches(source.surface, target.surface,
-                         read_correspondence(arguments.map, counts, numbering));
+  const Surface& source = inputs.source.surface;
+  const Surface& target = inputs.target.surface;
+  if (arguments.map.ends_with(".bary.txt")) {
+    inputs.points = surface_map(
+        source, target,
+        read_surface_map(arguments.map, {counts.source, inputs.target_faces}, numbering));
+    inputs.matches = to_correspondence(nearest_vertices(target.mesh, *inputs.points));
+  } else {
+    inputs.matches =
+        surface_matches(source, target, read_correspondence(arguments.map, counts, numbering));
+  }
+}
+
+EvalInputs load_inputs(const EvalArguments& arguments, const Context& context) {
+  Shape source = load_shape(arguments.source, context);
+  const Mesh target_mesh = read_mesh(arguments.target);
+  Shape target = prepare_loaded(arguments.target, target_mesh, {}, context);
+  EvalInputs inputs{std::move(source), std::move(target), target_mesh.num_faces(), {}, {}};
+  read_map(arguments, inputs);
+  return inputs;
 }
 
 std::optional<TruthEvaluation> evaluate_truth(const EvalArguments& arguments,
-                                              const std::string& target_file, const Shape& source,
-                                              const Shape& target, const Correspondence& matches,
-                                              const Context& context) {
+                                              const std::string& target_file,
+                                              const EvalInputs& inputs, const Context& context) {
   if (target_file.empty()) return std::nullopt;
+  const auto& [source, target, target_faces, matches, points] = inputs;
   const std::vector<int> at_source = read_vts(arguments.source_truth, input_vertices(source));
   const std::vector<int> at_target = read_vts(target_file, input_vertices(target));
   if (at_source.size() != at_target.size())
     throw BadFile(target_file, fmt::format("{} template points, but {} has {}", at_target.size(),
                                            arguments.source_truth, at_source.size()));
   const GroundTruth truth = surface_truth(source.surface, target.surface, at_source, at_target);
-  return TruthEvaluation{at_source.size(), truth.size(),
-                         template_errors(target, truth, matches, arguments.truth, context),
-                         match_errors(target, truth, matches, arguments.truth, context)};
+  TruthEvaluation result{at_source.size(), truth.size(), {}, {}, {}};
+  result.template_errors = template_errors(target, truth, matches, arguments.truth, context);
+  if (points) result.point_errors = point_errors(target, truth, *points, arguments.truth, context);
+  result.match_errors = match_errors(target, truth, matches, arguments.truth, context);
+  return result;
 }
 
 Evaluation evaluate(const EvalArguments& arguments, const Context& context) {
-  const Shape source = load_shape(arguments.source, context);
-  const Shape target = load_shape(arguments.target, context);
-  const Correspondence matches = read_map(arguments, source, target);
+  const EvalInputs inputs = load_inputs(arguments, context);
+  const auto& [source, target, target_faces, matches, points] = inputs;
   const auto against = [&](const std::string& target_file) {
-    return evaluate_truth(arguments, target_file, source, target, matches, context);
+    return evaluate_truth(arguments, target_file, inputs, context);
   };
   Evaluation result;
   result.matches = static_cast<int>(matches.size());
@@ -99,10 +130,12 @@ Json to_json(const ErrorStatistics& errors) {
 }
 
 Json to_json(const TruthEvaluation& truth) {
-  return {{"template_points", truth.points_in_files},
-          {"template_points_on_surfaces", truth.points},
-          {"error_over_sqrt_area", to_json(truth.template_errors)},
-          {"d_grd_over_max_geodesic", to_json(truth.match_errors)}};
+  Json json = {{"template_points", truth.points_in_files},
+               {"template_points_on_surfaces", truth.points},
+               {"error_over_sqrt_area", to_json(truth.template_errors)}};
+  if (truth.point_errors) json["point_error_over_sqrt_area"] = to_json(*truth.point_errors);
+  json["d_grd_over_max_geodesic"] = to_json(truth.match_errors);
+  return json;
 }
 
 Json to_json(const Evaluation& evaluation) {
@@ -124,14 +157,17 @@ Json to_json(const Evaluation& evaluation) {
   return json;
 }
 
+void print_errors(std::string_view name, const ErrorStatistics& error) {
+  fmt::print("  {:<32}mean {:.4f}  median {:.4f}  p95 {:.4f}  max {:.4f}\n", name, error.mean,
+             error.median, error.p95, error.maximum);
+}
+
 void print(std::string_view name, const TruthEvaluation& truth) {
-  const ErrorStatistics& error = truth.template_errors;
   const ErrorStatistics& grd = truth.match_errors;
   fmt::print("{}, {} of {} template points on both surfaces\n", name, truth.points,
              truth.points_in_files);
-  fmt::print(
-      "  error / sqrt(area of target)    mean {:.4f}  median {:.4f}  p95 {:.4f}  max {:.4f}\n",
-      error.mean, error.median, error.p95, error.maximum);
+  print_errors("error / sqrt(area of target)", truth.template_errors);
+  if (truth.point_errors) print_errors("the same of points on triangles", *truth.point_errors);
   fmt::print("  D_grd / maximum geodesic        mean {:.4f}  maximum (d_grd-dagger) {:.4f}\n",
              grd.mean, grd.maximum);
 }
@@ -164,8 +200,9 @@ void add_files(CLI::App& command, EvalArguments& arguments) {
   command.add_option("TARGET", arguments.target, "Mesh that the map leads to")->required();
   command
       .add_option("MAP", arguments.map,
-                  "Target vertex of each source vertex, one a line, or source and target vertex a "
-                  "line")
+                  "Target vertex of each source vertex, one a line; or source and target vertex a "
+                  "line; or, in a file named .bary.txt, target face and three weights of each "
+                  "source vertex")
       ->required();
   auto* source_truth =
       command.add_option("--gt-source", arguments.source_truth, "Ground truth on the source")
@@ -188,7 +225,7 @@ void add_eval(CLI::App& app, Request& request) {
   const auto arguments = std::make_shared<EvalArguments>();
   CLI::App& command = *app.add_subcommand("eval", "Measure the quality of a map");
   add_files(command, *arguments);
-  command.add_flag("--one-based", arguments->one_based, "MAP numbers vertices from one");
+  command.add_flag("--one-based", arguments->one_based, "MAP numbers vertices and faces from one");
   command
       .add_option("--samples", arguments->truth.max_samples,
                   "Most ground-truth errors to compute, evenly spaced")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isomatch/correspondence.h"
+#include "isomatch/surface_map.h"
 
 namespace isomatch {
 
@@ -33,6 +34,23 @@ Correspondence read_correspondence(const std::string& path, VertexCounts counts,
 VertexMap read_source_to_target(const std::string& path, VertexCounts counts,
                                 Numbering numbering = Numbering::kFromZero);
 
+/// Reads landmarks: a list of pairs as above in which no source vertex occurs twice. In the file's
+/// order.
+std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts);
+
+/// What a file of points on a target is checked against.
+struct SurfaceMapCounts {
+  int source_vertices;
+  int target_faces;
+};
+
+/// Reads a .bary.txt file: for each source vertex in order a line with a target face and the
+/// barycentric weights of its corners, or -1 0 0 0 where there is no point. Weights must be in
+/// [0, 1] and sum to 1, both within 1e-6, and are returned as they are. `numbering` is that of
+/// faces. The result is 0-based. Throws `BadFile` as `read_correspondence`.
+SurfaceMap read_surface_map(const std::string& path, SurfaceMapCounts counts,
+                            Numbering numbering = Numbering::kFromZero);
+
 /// Reads a .vts file: line i holds the vertex, numbered from one, that stands for template point i.
 /// The result is 0-based. Throws `BadFile` as `read_correspondence`.
 std::vector<int> read_vts(const std::string& path, int num_vertices);
@@ -46,6 +64,9 @@ void write_source_to_target(const std::string& path, const VertexMap& source_to_
 /// as long as `correspondence`, otherwise as `write_source_to_target`.
 void write_correspondence(const std::string& path, const Correspondence& correspondence,
                           std::span<const double> d_iso = {});
+
+/// Writes a .bary.txt file, 0-based. It survives a round trip exactly.
+void write_surface_map(const std::string& path, const SurfaceMap& map);
 
 /// Writes a .vts file of 0-based `vertices`, one for each template point.
 void write_vts(const std::string& path, const std::vector<int>& vertices);

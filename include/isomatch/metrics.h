@@ -9,6 +9,7 @@
 #include "isomatch/context.h"
 #include "isomatch/correspondence.h"
 #include "isomatch/shape.h"
+#include "isomatch/surface_map.h"
 
 /// How good a correspondence is, whatever made it. Vertices are those of the shapes' surfaces;
 /// `surface_matches` and `surface_truth` come from the numbers of the input meshes. All functions
@@ -62,6 +63,15 @@ struct TruthOptions {
 ErrorStatistics template_errors(const Shape& target, const GroundTruth& truth,
                                 const Correspondence& matches, const TruthOptions& options = {},
                                 const Context& context = {});
+
+/// Geodesic errors of template points under a map to points on triangles, relative to sqrt(area) of
+/// the target's surface: `map` has a point of the target's surface for each vertex of the source's.
+/// The distance d from the true vertex to a point x of weights w follows from the distances d_i to
+/// the corners p_i of its triangle, d^2 = sum w_i d_i^2 - sum w_i |p_i - x|^2, which is exact on
+/// flat surfaces; what rounding makes negative is zero. Template points whose source vertex has no
+/// point are left out. Throws `InvalidInput` if a face is out of range too.
+ErrorStatistics point_errors(const Shape& target, const GroundTruth& truth, const SurfaceMap& map,
+                             const TruthOptions& options = {}, const Context& context = {});
 
 /// D_grd (`mean`) and d_grd-dagger (`maximum`), equations 5 and 6: the distance from the target of
 /// each match to the true place of its source, relative to the target's largest geodesic distance.

@@ -35,4 +35,16 @@ VertexMap nearest_vertices(const Mesh& mesh, const SurfaceMap& map);
 /// source's surface have no point.
 SurfaceMap input_map(const Surface& source, const Surface& target, const SurfaceMap& map);
 
+/// A map between input meshes as one between their surfaces. Of the points of input vertices that
+/// share a surface vertex the lowest vertex's counts; a point on a face that is not part of the
+/// target's surface is none. Throws `InvalidInput` if the map's length is not the source's number
+/// of input vertices or a face is below `kNoFace`.
+SurfaceMap surface_map(const Surface& source, const Surface& target, const SurfaceMap& input_map);
+
+/// `input` after its surface moved: `positions` holds where each vertex of the surface is now, in
+/// whatever coordinates. Input vertices that are not part of the surface follow the surface vertex
+/// that was nearest to them, by the same displacement. Faces are the input's. Throws `InvalidInput`
+/// if `input` or `positions` does not fit `surface`.
+Mesh input_pose(const Mesh& input, const Surface& surface, const std::vector<Point>& positions);
+
 }  // namespace isomatch

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "isomatch/error.h"
 #include "isomatch/metrics.h"
+#include "isomatch/topology.h"
 #include "metrics/checks.h"
 
 namespace isomatch {
@@ -15,6 +18,12 @@ namespace {
 struct ErrorPair {
   int truth;
   int mapped;
+};
+
+/// A vertex and a point of the target whose distance is an error.
+struct PointPair {
+  int truth;
+  SurfacePoint mapped;
 };
 
 /// The matches of each source vertex lie together in a sorted correspondence.
@@ -46,15 +55,44 @@ std::vector<ErrorPair> match_pairs(const GroundTruth& truth, const Correspondenc
   return pairs;
 }
 
-std::vector<ErrorPair> evenly_thinned(const std::vector<ErrorPair>& pairs, int max_samples) {
+std::vector<PointPair> point_pairs(const GroundTruth& truth, const SurfaceMap& map) {
+  std::vector<PointPair> pairs;
+  for (int i = 0; i < truth.size(); ++i) {
+    const SurfacePoint& point = map[truth.source[i]];
+    if (point.face != kNoFace) pairs.push_back({truth.target[i], point});
+  }
+  return pairs;
+}
+
+template <class Pair>
+std::vector<Pair> evenly_thinned(const std::vector<Pair>& pairs, int max_samples) {
   if (std::ssize(pairs) <= max_samples) return pairs;
-  std::vector<ErrorPair> thinned(max_samples);
+  std::vector<Pair> thinned(max_samples);
   for (std::size_t i = 0; i < thinned.size(); ++i)
     thinned[i] = pairs[i * pairs.size() / thinned.size()];
   return thinned;
 }
 
-std::vector<double> distances(const Shape& shape, const std::vector<ErrorPair>& pairs,
+double distance(const Shape&, GeodesicSearch& search, const ErrorPair& pair) {
+  return search.distance(pair.truth, pair.mapped);
+}
+
+double distance(const Shape& shape, GeodesicSearch& search, const PointPair& pair) {
+  const Mesh& mesh = shape.surface.mesh;
+  const Point x = position(mesh, pair.mapped);
+  double squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double weight = pair.mapped.weights[k];
+    if (weight == 0) continue;
+    const int corner = mesh.faces[pair.mapped.face][k];
+    const double to_corner = search.distance(pair.truth, corner);
+    squared += weight * (to_corner * to_corner - (mesh.vertices[corner] - x).squaredNorm());
+  }
+  return std::sqrt(std::max(0.0, squared));
+}
+
+template <class Pair>
+std::vector<double> distances(const Shape& shape, const std::vector<Pair>& pairs,
                               const Context& context) {
   std::vector<double> result(pairs.size(), 0.0);
 #pragma omp parallel num_threads(context.threads)
@@ -62,8 +100,7 @@ std::vector<double> distances(const Shape& shape, const std::vector<ErrorPair>& 
     GeodesicSearch search(shape.graph);
 #pragma omp for schedule(dynamic, 16)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!context.stop.stop_requested())
-        result[i] = search.distance(pairs[i].truth, pairs[i].mapped);
+      if (!context.stop.stop_requested()) result[i] = distance(shape, search, pairs[i]);
     }
   }
   context.check_stop();
@@ -86,11 +123,18 @@ ErrorStatistics statistics(std::vector<double> errors, double unit) {
           percentile(errors, 0.5), percentile(errors, 0.95), errors.back()};
 }
 
-void check_truth(const Shape& target, const GroundTruth& truth, const Correspondence& matches) {
+void check_truth(const Shape& target, const GroundTruth& truth) {
   if (truth.source.size() != truth.target.size())
     throw InvalidInput("a ground truth needs as many source as target vertices");
   for (int v : truth.target) check_vertex(target, v);
-  check_targets(target, matches);
+}
+
+void check_points(const Shape& target, const GroundTruth& truth, const SurfaceMap& map) {
+  for (int v : truth.source) check_index(v, map.size());
+  for (const SurfacePoint& point : map) {
+    if (point.face < kNoFace || point.face >= target.surface.mesh.num_faces())
+      throw InvalidInput(fmt::format("face {} is out of range", point.face));
+  }
 }
 
 }  // namespace
@@ -103,8 +147,18 @@ ErrorStatistics template_errors(const Shape& target, const GroundTruth& truth,
                                 const Correspondence& matches, const TruthOptions& options,
                                 const Context& context) {
   options.validate();
-  check_truth(target, truth, matches);
+  check_truth(target, truth);
+  check_targets(target, matches);
   const auto pairs = evenly_thinned(template_pairs(truth, matches), options.max_samples);
+  return statistics(distances(target, pairs, context), std::sqrt(target.surface.area));
+}
+
+ErrorStatistics point_errors(const Shape& target, const GroundTruth& truth, const SurfaceMap& map,
+                             const TruthOptions& options, const Context& context) {
+  options.validate();
+  check_truth(target, truth);
+  check_points(target, truth, map);
+  const auto pairs = evenly_thinned(point_pairs(truth, map), options.max_samples);
   return statistics(distances(target, pairs, context), std::sqrt(target.surface.area));
 }
 
@@ -112,7 +166,8 @@ ErrorStatistics match_errors(const Shape& target, const GroundTruth& truth,
                              const Correspondence& matches, const TruthOptions& options,
                              const Context& context) {
   options.validate();
-  check_truth(target, truth, matches);
+  check_truth(target, truth);
+  check_targets(target, matches);
   const auto pairs = evenly_thinned(match_pairs(truth, matches), options.max_samples);
   return statistics(distances(target, pairs, context), target.max_geodesic);
 }

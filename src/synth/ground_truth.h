@@ -8,6 +8,12 @@
 #include "isomatch/context.h"
 #include "synth/body.h"
 
+namespace isomatch {
+
+class PointTree;
+
+}  // namespace isomatch
+
 namespace isomatch::synth {
 
 /// Finds, among points of a skin at rest, the one nearest to others on the skin.
@@ -22,13 +28,12 @@ class SurfaceLookup {
   std::vector<int> nearest(const std::vector<Point>& queries) const;
 
  private:
-  class Tree;
   int nearest(const Point& query) const;
 
   const Body* body_;
   const std::vector<Point>* rest_;
   const Context* context_;
-  std::unique_ptr<Tree> tree_;
+  std::unique_ptr<PointTree> tree_;
 };
 
 }  // namespace isomatch::synth

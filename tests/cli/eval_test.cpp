@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -100,6 +101,38 @@ TEST_F(Eval, MapMayBeNumberedFromOneOrListPairs) {
   one_based.push_back("--one-based");
   EXPECT_EQ(json(one_based, "one_based.txt"), plain);
   EXPECT_EQ(json(truth(), "pairs.txt"), plain);
+}
+
+TEST_F(Eval, PointsOnTrianglesHaveAnErrorOfTheirOwn) {
+  const Mesh target = mirrored(mesh_);
+  // A third of the way to the next corner, along an edge of the first face at each vertex.
+  SurfaceMap map(mesh_.vertices.size());
+  double sum = 0;
+  for (int f = target.num_faces() - 1; f >= 0; --f) {
+    for (int k = 0; k < 3; ++k) {
+      SurfacePoint& point = map[target.faces[f][k]];
+      point = {f, {}};
+      point.weights[k] = 2.0 / 3;
+      point.weights[(k + 1) % 3] = 1 - 2.0 / 3;
+    }
+  }
+  for (int v = 0; v < mesh_.num_vertices(); ++v)
+    sum += (position(target, map[v]) - target.vertices[v]).norm();
+  write_surface_map(path("map.bary.txt"), map);
+  const nlohmann::json result = json(truth(), "map.bary.txt");
+  EXPECT_EQ(result["ground_truth"]["error_over_sqrt_area"]["maximum"], 0);
+  // Edges carry their exact length, up to rounding to float.
+  EXPECT_NEAR(result["ground_truth"]["point_error_over_sqrt_area"]["mean"],
+              sum / mesh_.num_vertices() / std::sqrt(surface_area(mesh_)), 1e-5);
+  EXPECT_FALSE(json(truth())["ground_truth"].contains("point_error_over_sqrt_area"));
+  EXPECT_THAT(run(arguments(truth(), "map.bary.txt")).output, HasSubstr("points on triangles"));
+}
+
+TEST_F(Eval, BadPointIsNamedWithLine) {
+  folder_.write("bad.bary.txt", "0 1 0 0\n0 1 1 0\n");
+  const Outcome outcome = run(arguments({}, "bad.bary.txt"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, StartsWith("isomatch: " + path("bad.bary.txt") + ": line 2: "));
 }
 
 TEST_F(Eval, ThreadsChangeNothing) {

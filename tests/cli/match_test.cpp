@@ -1,119 +1,18 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <set>
 
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/synth.h"
+#include "match_program.h"
 #include "program.h"
-#include "support/mesh_files.h"
-#include "support/temporary_folder.h"
-#include "support/transforms.h"
 
 namespace isomatch::test {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-std::string bytes(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-Mesh creature(int pose) { return synthesize({.vertices = 1000, .pose = pose, .seed = 2}).mesh; }
-
-/// A creature in two poses; to the target a small tetrahedron is added, with the lowest numbers.
-class MatchProgram : public testing::Test {
- protected:
-  void SetUp() override {
-    write_mesh(path("source.off"), source_);
-    write_mesh(path("target.ply"), target_);
-  }
-
-  std::string path(const std::string& name) const { return folder_.path(name); }
-
-  std::vector<std::string> arguments(const std::string& folder,
-                                     const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> all{"match", path("source.off"), path("target.ply"), "-o",
-                                 path(folder)};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-
-  nlohmann::json json(const std::string& name) const {
-    return nlohmann::json::parse(bytes(path(name)));
-  }
-
-  VertexCounts counts() const { return {source_.num_vertices(), target_.num_vertices()}; }
-
-  const Mesh source_ = creature(1);
-  const Mesh target_ = combined(scaled(tetrahedron(), 0.01), creature(2));
-  TemporaryFolder folder_;
-};
-
-TEST_F(MatchProgram, MatchesEveryVertexOfTheLargestComponents) {
-  const Outcome outcome = run(arguments("out"));
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_EQ(outcome.errors, "");
-  EXPECT_THAT(outcome.output, HasSubstr("D_iso"));
-  EXPECT_THAT(outcome.output, HasSubstr("2 components"));
-  const VertexMap map = read_source_to_target(path("out/source_to_target.txt"), counts());
-  for (int t : map) EXPECT_GE(t, 4);
-  std::set<int> sources, targets;
-  for (const Match& match : read_correspondence(path("out/correspondence.txt"), counts())) {
-    sources.insert(match.source);
-    targets.insert(match.target);
-  }
-  EXPECT_EQ(std::ssize(sources), source_.num_vertices());
-  EXPECT_EQ(std::ssize(targets), target_.num_vertices() - 4);
-  EXPECT_EQ(*targets.begin(), 4);
-}
-
-TEST_F(MatchProgram, VerticesOutsideTheMatchedComponentAreUnmatched) {
-  const Outcome outcome =
-      run({"match", path("target.ply"), path("source.off"), "-o", path("out"), "--quiet"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_EQ(outcome.output, "");
-  const VertexMap map = read_source_to_target(path("out/source_to_target.txt"),
-                                              {target_.num_vertices(), source_.num_vertices()});
-  for (int v = 0; v < target_.num_vertices(); ++v) EXPECT_EQ(map[v] == kUnmatched, v < 4);
-}
-
-TEST_F(MatchProgram, ReportsEveryLevel) {
-  ASSERT_EQ(run(arguments("out", {"--levels", "3"})).exit_code, 0);
-  const nlohmann::json levels = json("out/levels.json");
-  ASSERT_EQ(levels.size(), 4);
-  for (int k = 0; k < 4; ++k) {
-    const std::string stem = "out/levels/0" + std::to_string(k);
-    const Correspondence matches =
-        read_correspondence(path(stem + ".correspondence.txt"), counts());
-    EXPECT_EQ(levels[k]["matches"], matches.size());
-    const Correspondence many_to_one =
-        read_correspondence(path(stem + ".many_to_one.txt"), counts());
-    EXPECT_EQ(levels[k]["source_bases"], many_to_one.size());
-  }
-  const nlohmann::json report = json("out/report.json");
-  EXPECT_EQ(report["options"]["levels"], 3);
-  EXPECT_EQ(report["complete"], false);
-  EXPECT_EQ(report["target"]["given"]["components"], 2);
-  EXPECT_GT(report["peak_memory_mib"], 1);
-  EXPECT_GT(report["seconds"]["merging"], 0);
-}
-
-TEST_F(MatchProgram, ThreadsChangeNoByte) {
-  ASSERT_EQ(run(arguments("one", {"--threads", "1"})).exit_code, 0);
-  ASSERT_EQ(run(arguments("three", {"--threads", "3"})).exit_code, 0);
-  for (const char* name : {"source_to_target.txt", "correspondence.txt", "levels.json"})
-    EXPECT_EQ(bytes(path("one/") + name), bytes(path("three/") + name)) << name;
-}
 
 TEST_F(MatchProgram, BadInputLeavesNoFolder) {
   folder_.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
@@ -124,7 +23,7 @@ TEST_F(MatchProgram, BadInputLeavesNoFolder) {
   const Outcome flat = run({"match", path("source.off"), path("flat.off"), "-o", path("out")});
   EXPECT_EQ(flat.exit_code, 2);
   EXPECT_THAT(flat.errors, HasSubstr("flat.off"));
-  EXPECT_EQ(run(arguments("out", {"--max-coarse-bases", "0"})).exit_code, 2);
+  EXPECT_EQ(run(arguments("out", {"--method", "paper", "--max-coarse-bases", "0"})).exit_code, 2);
   EXPECT_FALSE(fs::exists(path("out")));
 }
 
@@ -135,13 +34,92 @@ TEST_F(MatchProgram, OutputThatCannotBeMadeIsRefusedFirst) {
   EXPECT_EQ(run(arguments("source.off")).exit_code, 2);
 }
 
-TEST_F(MatchProgram, InterruptLeavesNothingBroken) {
+TEST_F(MatchProgram, OptionsOfTheOtherMethodAreRefused) {
+  for (const auto& [given, others] :
+       {std::pair<std::vector<std::string>, const char*>{{"--levels", "3"}, "paper"},
+        {{"--method", "tracked", "--list-size", "9"}, "paper"},
+        {{"--method", "paper", "--target-to-source"}, "tracked"},
+        {{"--method", "paper", "--alternatives", "0"}, "tracked"}}) {
+    const Outcome outcome = run(arguments("out", given));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("belongs to --method " + std::string(others)));
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1);
+  }
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
+TEST_F(MatchProgram, HelpSaysWhichOptionBelongsToWhichMethod) {
+  const std::string help = run({"match", "--help"}).output;
+  const auto place = [&](const char* text) { return help.find(text); };
+  EXPECT_LT(place("--geodesics"), place("Options of --method tracked:"));
+  EXPECT_LT(place("Options of --method tracked:"), place("--landmarks"));
+  EXPECT_LT(place("--landmarks"), place("Options of --method paper:"));
+  EXPECT_LT(place("Options of --method paper:"), place("--levels"));
+  EXPECT_LT(place("--levels"), std::string::npos);
+}
+
+/// Every kind of file that a match may leave, of a run with more alternatives and levels than now,
+/// and files of the user's.
+class MatchAfterMatch : public MatchProgram, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    MatchProgram::SetUp();
+    for (const char* name :
+         {"source_to_target.txt", "source_to_target.bary.txt", "target_to_source.txt",
+          "target_to_source.bary.txt", "registered.ply", "correspondence.txt", "levels.json",
+          "report.json", "notes.txt", "levels/98.correspondence.txt", "levels/99.many_to_one.txt",
+          "levels/99.notes.txt", "alternatives/8/source_to_target.txt",
+          "alternatives/9/registered.ply", "alternatives/9/notes.txt"}) {
+      fs::create_directories(fs::path(path("out/" + std::string(name))).parent_path());
+      folder_.write("out/" + std::string(name), kStale);
+    }
+  }
+
+  /// Files in the folder of results, by whether they hold what they held before.
+  std::vector<std::string> files(bool stale) const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(path("out"))) {
+      if (entry.is_regular_file() && (read_file(entry.path().string()) == kStale) == stale)
+        names.push_back(fs::relative(entry.path(), path("out")).string());
+    }
+    std::ranges::sort(names);
+    return names;
+  }
+
+  static constexpr const char* kStale = "of another run\n";
+};
+
+TEST_P(MatchAfterMatch, LeavesNothingOfTheOtherRun) {
+  ASSERT_EQ(run(arguments("out", {"--method", GetParam()})).exit_code, 0);
+  EXPECT_THAT(files(true),
+              testing::ElementsAre("alternatives/9/notes.txt", "levels/99.notes.txt", "notes.txt"));
+  EXPECT_FALSE(fs::exists(path("out/alternatives/8")));
+  std::vector<std::string> listed = json("out/report.json")["files"];
+  std::ranges::sort(listed);
+  EXPECT_EQ(files(false), listed);
+}
+
+TEST_P(MatchAfterMatch, ThatFailsLeavesAllAsItWas) {
+  const std::vector<std::string> before = files(true);
+  folder_.write("source.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  EXPECT_EQ(run(arguments("out", {"--method", GetParam()})).exit_code, 2);
+  EXPECT_EQ(files(true), before);
+  EXPECT_TRUE(files(false).empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MatchAfterMatch, testing::Values("tracked", "paper"));
+
+class InterruptedMatch : public MatchProgram, public testing::WithParamInterface<const char*> {};
+
+TEST_P(InterruptedMatch, LeavesNothingBroken) {
   write_mesh(path("source.off"), synthesize({.vertices = 30000, .pose = 1, .seed = 2}).mesh);
-  const Outcome outcome =
-      run(arguments("out"), {.interrupt_after = std::chrono::milliseconds(300)});
+  const Outcome outcome = run(arguments("out", {"--method", GetParam()}),
+                              {.interrupt_after = std::chrono::milliseconds(300)});
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_FALSE(fs::exists(path("out")));
 }
+
+INSTANTIATE_TEST_SUITE_P(All, InterruptedMatch, testing::Values("tracked", "paper"));
 
 }  // namespace
 }  // namespace isomatch::test

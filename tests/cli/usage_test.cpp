@@ -20,7 +20,8 @@ TEST(Usage, VersionIsOneLine) {
 TEST(Usage, HelpListsSubcommands) {
   const Outcome outcome = run({"--help"});
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* name : {"info", "eval"}) EXPECT_THAT(outcome.output, HasSubstr(name));
+  for (const char* name : {"match", "info", "eval", "synth"})
+    EXPECT_THAT(outcome.output, HasSubstr(name));
 }
 
 class SubcommandHelp : public testing::TestWithParam<const char*> {};
@@ -34,7 +35,7 @@ TEST_P(SubcommandHelp, HasExampleOfItself) {
   EXPECT_EQ(outcome.errors, "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Usage, SubcommandHelp, testing::Values("info", "eval"));
+INSTANTIATE_TEST_SUITE_P(Usage, SubcommandHelp, testing::Values("match", "info", "eval", "synth"));
 
 class WrongUsage : public testing::TestWithParam<std::vector<std::string>> {};
 

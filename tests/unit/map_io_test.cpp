@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "isomatch/error.h"
+#include "support/random.h"
 #include "support/temporary_folder.h"
 
 namespace isomatch {
@@ -24,8 +25,14 @@ class MapIo : public testing::Test {
 
   /// The message with which reading `content` fails, without the path.
   std::string failure(std::string_view content, Numbering numbering = Numbering::kFromZero) const {
+    return message([&] { read(content, numbering); });
+  }
+
+  /// The message with which `reading` map.txt fails, without the path.
+  template <class Reading>
+  std::string message(const Reading& reading) const {
     try {
-      read(content, numbering);
+      reading();
     } catch (const BadFile& error) {
       const std::string message = error.what();
       EXPECT_THAT(message, testing::StartsWith(folder_.path("map.txt") + ": "));
@@ -85,6 +92,57 @@ TEST_F(MapIo, EmptyAndMissingFilesFail) {
   EXPECT_THROW(read_correspondence(folder_.path("absent.txt"), {4, 10}), BadFile);
 }
 
+TEST_F(MapIo, LandmarksKeepTheirOrder) {
+  EXPECT_THAT(read_landmarks(folder_.write("pairs.txt", "2 5 nose\n\n0 9\n"), {4, 10}),
+              ElementsAre(Match{2, 5}, Match{0, 9}));
+}
+
+TEST_F(MapIo, BadLandmarksNameLine) {
+  const auto failure = [&](std::string_view content) {
+    return message([&] { read_landmarks(folder_.write("map.txt", content), {4, 10}); });
+  };
+  EXPECT_EQ(failure("2 5\n0 9\n2 5\n"), "line 3: source vertex 2 has a landmark already");
+  EXPECT_THAT(failure("2 5\n4 9\n"), HasSubstr("line 2: vertex 4 is out of range: the source"));
+  EXPECT_THAT(failure("2 5\n3 -1\n"), HasSubstr("line 2: vertex -1 is out of range: the target"));
+  EXPECT_THAT(failure("3\n1\n2\n0\n"), HasSubstr("line 1: expected an integer"));
+  EXPECT_EQ(failure("\n"), "no landmarks in it");
+}
+
+TEST_F(MapIo, ReadsPointsOnTriangles) {
+  const auto read = [&](std::string_view content, Numbering numbering) {
+    return read_surface_map(folder_.write("map.bary.txt", content), {3, 7}, numbering);
+  };
+  const SurfaceMap expected{{6, {0.25, 0.75, 0}}, {}, {0, {1, 0, 0}}};
+  EXPECT_EQ(read("6 .25 0.75 0\r\n\r\n-1 0 0 0\r\n0 1 0 0", Numbering::kFromZero), expected);
+  EXPECT_EQ(read("7 .25 .75 0\n0 0 0 0\n1 1 0 0\n", Numbering::kFromOne), expected);
+}
+
+TEST_F(MapIo, BadPointsNameLine) {
+  const auto failure = [&](std::string_view content) {
+    return message([&] { read_surface_map(folder_.write("map.txt", content), {2, 7}); });
+  };
+  EXPECT_EQ(failure("0 1 0 0\n7 1 0 0\n"),
+            "line 2: face 7 is out of range: the target has 7 faces, numbered from 0");
+  EXPECT_THAT(failure("0 1 0 0\n-2 0 0 0\n"), HasSubstr("line 2: face -2 is out of range"));
+  EXPECT_EQ(failure("0 1 0 0\n1 .5 .6 -.1\n"), "line 2: weight -0.1 is not in [0, 1]");
+  EXPECT_THAT(failure("0 1 0 0\n1 .5 .25 .125\n"), HasSubstr("line 2: the weights sum to 0.875"));
+  EXPECT_THAT(failure("0 1 0 0\n-1 1 0 0\n"), HasSubstr("line 2: the weights sum to 1"));
+  EXPECT_THAT(failure("0 1 0\n"), HasSubstr("line 1: expected a number, but the line ends"));
+  EXPECT_THAT(failure("0 1 0 0 0\n"), HasSubstr("line 1: expected the end of the line"));
+  EXPECT_THAT(failure("0 1 nan 0\n"), HasSubstr("line 1: expected a finite number"));
+  EXPECT_THAT(failure("a 1 0 0\n"), HasSubstr("line 1: expected an integer"));
+  EXPECT_EQ(failure("0 1 0 0\n"), "the map has 1 lines, but the source has 2 vertices");
+  EXPECT_NE(failure(""), "no failure");
+}
+
+TEST_F(MapIo, WeightsMayBeOffByRounding) {
+  const std::string path =
+      folder_.write("map.txt", "0 1.0000005 -0.0000005 0\n0 .3333333 .3333333 .3333333\n");
+  const SurfaceMap map = read_surface_map(path, {2, 1});
+  EXPECT_EQ(map[0].weights[1], -0.0000005);
+  EXPECT_EQ(map[1].weights[2], 0.3333333);
+}
+
 TEST_F(MapIo, VtsIsNumberedFromOne) {
   EXPECT_THAT(read_vts(folder_.write("a.vts", "1\n10\n3\n3"), 10), ElementsAre(0, 9, 2, 2));
   EXPECT_THROW(read_vts(folder_.write("a.vts", "0\n"), 10), BadFile);
@@ -106,6 +164,19 @@ TEST_F(MapIo, CorrespondenceSurvivesRoundTrip) {
   write_correspondence(folder_.path("pairs.txt"), matches, d_iso);
   EXPECT_EQ(test::read_file(folder_.path("pairs.txt")), "0 9 0.1\n2 1 0\n2 5 0.3333333333333333\n");
   EXPECT_EQ(read_correspondence(folder_.path("pairs.txt"), {4, 10}), matches);
+}
+
+TEST_F(MapIo, PointsSurviveRoundTrip) {
+  test::Random random(1);
+  SurfaceMap map{{}, {3, {0.1, 0.2, 0.7}}};
+  for (int i = 0; i < 100; ++i) {
+    const double a = random.uniform(), b = (1 - a) * random.uniform();
+    map.push_back({random.index(7), {a, b, 1 - a - b}});
+  }
+  const std::string path = folder_.path("map.bary.txt");
+  write_surface_map(path, map);
+  EXPECT_THAT(test::read_file(path), testing::StartsWith("-1 0 0 0\n3 0.1 0.2 0.7\n"));
+  EXPECT_EQ(read_surface_map(path, {102, 7}), map);
 }
 
 TEST_F(MapIo, VtsSurvivesRoundTrip) {

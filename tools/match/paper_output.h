@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+
+#include "isomatch/paper.h"
+#include "json.h"
+#include "match/inputs.h"
+
+namespace isomatch::cli {
+
+/// Everything that a match by the paper's method leaves behind.
+struct PaperRun {
+  MatchInputs inputs;
+  Json options;
+  PaperResult result;
+};
+
+/// Writes into the folder `path` (see `ResultFolder`), in the numbers of the input files:
+/// - source_to_target.txt: the target vertex of every source vertex;
+/// - correspondence.txt: the many-to-many result, with d_iso;
+/// - levels/KK.correspondence.txt and levels/KK.many_to_one.txt: xi(k) and xi(k,1) of level k;
+/// - levels.json and report.json.
+void write_paper(const std::string& path, const PaperRun& run);
+
+}  // namespace isomatch::cli

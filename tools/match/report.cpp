@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "match/report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "isomatch/version.h"
+
+namespace isomatch::cli {
+namespace {
+
+Json input_json(const MatchInput& input) {
+  Json json{{"file", input.path},
+            {"triangulated_polygons", input.read_report.triangulated_polygons},
+            {"merged_vertices", input.read_report.merged_vertices},
+            {"max_geodesic", input.shape.max_geodesic}};
+  json.update(to_json(input.diagnosis));
+  return json;
+}
+
+/// Of this process so far, in MiB.
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+}  // namespace
+
+Json report_head(const MatchInputs& inputs, const Json& options) {
+  return {{"isomatch", kVersion},
+          {"options", options},
+          {"source", input_json(inputs.source)},
+          {"target", input_json(inputs.target)}};
+}
+
+Json report_tail(const std::vector<StageTime>& loading, const std::vector<StageTime>& matching) {
+  Json seconds = Json::object();
+  for (const StageTime& time : loading) seconds[time.stage] = time.seconds;
+  for (const StageTime& time : matching) seconds[time.stage] = time.seconds;
+  return {{"seconds", seconds}, {"peak_memory_mib", peak_memory()}};
+}
+
+Json options_json(const MatchArguments& arguments, const std::string& method) {
+  return {{"method", method}, {"geodesics", arguments.geodesics}, {"seed", arguments.seed}};
+}
+
+void print_closing(const MatchInputs& inputs, const std::string& folder) {
+  for (const auto& [name, input] :
+       {std::pair{"source", &inputs.source}, {"target", &inputs.target}}) {
+    for (const std::string& warning : input->diagnosis.warnings())
+      fmt::print("! {}: {}\n", name, warning);
+  }
+  fmt::print("written to {}\n", folder);
+}
+
+}  // namespace isomatch::cli

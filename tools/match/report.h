@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "json.h"
+#include "match/inputs.h"
+
+namespace isomatch::cli {
+
+/// The fields that every report begins and ends with.
+Json report_head(const MatchInputs& inputs, const Json& options);
+/// `loading` and `matching` are the times of their stages.
+Json report_tail(const std::vector<StageTime>& loading, const std::vector<StageTime>& matching);
+
+/// Options of every method as they go into the report.
+Json options_json(const MatchArguments& arguments, const std::string& method);
+
+/// The end of the summary: warnings about the meshes, and where the results are.
+void print_closing(const MatchInputs& inputs, const std::string& folder);
+
+}  // namespace isomatch::cli

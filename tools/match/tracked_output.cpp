@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "match/tracked_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isomatch/map_io.h"
+#include "isomatch/topology.h"
+#include "match/report.h"
+#include "match/result_folder.h"
+
+namespace isomatch::cli {
+namespace {
+
+SurfaceMap input_points(const MatchInput& from, const MatchInput& onto, const SurfaceMap& map) {
+  return input_map(from.shape.surface, onto.shape.surface, map);
+}
+
+int count_points(const SurfaceMap& map) {
+  const auto has_face = [](const SurfacePoint& point) { return point.face != kNoFace; };
+  return static_cast<int>(std::ranges::count_if(map, has_face));
+}
+
+/// Writes a map in both forms, as `stem`.txt and `stem`.bary.txt.
+void write_points(ResultFolder& folder, const std::string& stem, const MatchInput& onto,
+                  const SurfaceMap& map) {
+  write_source_to_target(folder.add(stem + ".txt"), nearest_vertices(onto.mesh, map));
+  write_surface_map(folder.add(stem + ".bary.txt"), map);
+}
+
+/// `place` is the map's folder with a slash, or empty.
+void write_map(ResultFolder& folder, const std::string& place, const TrackedRun& run,
+               const TrackedMap& map) {
+  const auto& [source, target, times] = run.inputs;
+  write_points(folder, place + "source_to_target", target,
+               input_points(source, target, map.source_to_target));
+  if (run.target_to_source)
+    write_points(folder, place + "target_to_source", source,
+                 input_points(target, source, map.target_to_source));
+  write_mesh(folder.add(place + "registered.ply"),
+             input_pose(source.mesh, source.shape.surface, map.registered));
+}
+
+Correspondence input_matches(const MatchInputs& inputs, const TrackedMap& map) {
+  const auto sources = input_vertices(inputs.source.shape.surface);
+  const auto targets = input_vertices(inputs.target.shape.surface);
+  Correspondence result;
+  for (const Match& match : matches(inputs.source.shape, inputs.target.shape, map)) {
+    for (int s : sources[match.source])
+      for (int t : targets[match.target]) result.push_back({s, t});
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+std::string alternative_folder(std::size_t number) {
+  return fmt::format("alternatives/{}", number);
+}
+
+Json map_json(const TrackedMap& map) {
+  return {{"energy", map.energy},
+          {"distance", map.distance},
+          {"deviation", map.deviation},
+          {"distortion", map.distortion},
+          {"orientation", map.orientation}};
+}
+
+Json alternatives_json(const std::vector<TrackedMap>& maps) {
+  Json alternatives = Json::array();
+  for (std::size_t k = 1; k < maps.size(); ++k) {
+    Json alternative{{"folder", alternative_folder(k)}};
+    alternative.update(map_json(maps[k]));
+    alternatives.push_back(alternative);
+  }
+  return alternatives;
+}
+
+Json hypotheses_json(const std::vector<HypothesisSummary>& hypotheses) {
+  Json json = Json::array();
+  for (const HypothesisSummary& hypothesis : hypotheses)
+    json.push_back({{"distortion", hypothesis.distortion},
+                    {"orientation", hypothesis.orientation},
+                    {"coarse_energy", hypothesis.coarse_energy}});
+  return json;
+}
+
+Json report_json(const TrackedRun& run, std::size_t num_matches) {
+  const TrackedResult& result = run.result;
+  const int matched = matched_vertices(run, result.maps.front());
+  Json report = report_head(run.inputs, run.options);
+  report.update({{"source_vertices_matched", matched},
+                 {"source_vertices_unmatched", run.inputs.source.mesh.num_vertices() - matched},
+                 {"matches", num_matches},
+                 {"map", map_json(result.maps.front())},
+                 {"confidence", result.confidence},
+                 {"clear", result.confidence >= kClearConfidence},
+                 {"oriented", result.oriented},
+                 {"alternatives", alternatives_json(result.maps)},
+                 {"hypotheses", hypotheses_json(result.hypotheses)}});
+  report.update(report_tail(run.inputs.times, result.times));
+  return report;
+}
+
+}  // namespace
+
+int matched_vertices(const TrackedRun& run, const TrackedMap& map) {
+  return count_points(input_points(run.inputs.source, run.inputs.target, map.source_to_target));
+}
+
+void write_tracked(const std::string& path, const TrackedRun& run) {
+  const std::vector<TrackedMap>& maps = run.result.maps;
+  ResultFolder folder(path);
+  write_map(folder, "", run, maps.front());
+  const Correspondence relation = input_matches(run.inputs, maps.front());
+  write_correspondence(folder.add("correspondence.txt"), relation);
+  for (std::size_t k = 1; k < maps.size(); ++k)
+    write_map(folder, alternative_folder(k) + "/", run, maps[k]);
+  folder.write_report(report_json(run, relation.size()));
+}
+
+}  // namespace isomatch::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+
+#include "isomatch/tracked.h"
+#include "json.h"
+#include "match/inputs.h"
+
+namespace isomatch::cli {
+
+/// Everything that a match by the tracked method leaves behind.
+struct TrackedRun {
+  MatchInputs inputs;
+  Json options;
+  TrackedResult result;
+  bool target_to_source = false;
+};
+
+/// Of the source's input vertices, those that `map`, one of `run`'s, leads to a point.
+int matched_vertices(const TrackedRun& run, const TrackedMap& map);
+
+/// A best map whose energy is this close to the second best one's, as `TrackedResult::confidence`
+/// puts it, could as well be the other.
+inline constexpr double kClearConfidence = 0.1;
+
+/// Writes into the folder `path` (see `ResultFolder`), in the numbers of the input files:
+/// - source_to_target.txt: the nearest target vertex of every source vertex;
+/// - source_to_target.bary.txt: the target face of every source vertex, and the weights;
+/// - target_to_source.txt and .bary.txt: the same the other way round, if asked for;
+/// - registered.ply: the source in the target's pose;
+/// - correspondence.txt: the many-to-many relation of the best map;
+/// - alternatives/K/: the maps of the alternatives, from 1, under the same names;
+/// - report.json.
+void write_tracked(const std::string& path, const TrackedRun& run);
+
+}  // namespace isomatch::cli
