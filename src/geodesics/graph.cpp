@@ -92,7 +92,8 @@ MissingArcs make_symmetric(ArcLists& lists) {
 }
 
 /// Merges `missing`, the missing arcs of the vertices of a block, into their lists.
-void add_missing_arcs(std::vector<MissingArc> missing, int first_vertex, ArcLists::Block& block) {
+void add_missing_arcs(std::vector<MissingArc> missing, int first_vertex, int last_vertex,
+                      ArcLists::Block& block) {
   std::ranges::sort(missing, [](const MissingArc& a, const MissingArc& b) {
     return a.tail != b.tail ? a.tail < b.tail : a.arc.head < b.arc.head;
   });
@@ -100,7 +101,7 @@ void add_missing_arcs(std::vector<MissingArc> missing, int first_vertex, ArcList
   merged.reserve(block.arcs.size() + missing.size());
   auto first_missing = missing.begin();
   int start = 0;
-  for (int i = 0; i < ArcLists::kBlockVertices; ++i) {
+  for (int i = 0; i < last_vertex - first_vertex; ++i) {
     const auto last_missing =
         std::find_if_not(first_missing, missing.end(),
                          [&](const MissingArc& m) { return m.tail == first_vertex + i; });
@@ -141,7 +142,8 @@ GeodesicGraph::GeodesicGraph(const Mesh& mesh, const GeodesicOptions& options,
   MissingArcs missing = make_symmetric(lists_);
 #pragma omp parallel for schedule(dynamic) num_threads(context.threads) if (lists_.num_blocks() > 1)
   for (int b = 0; b < lists_.num_blocks(); ++b)
-    add_missing_arcs(std::exchange(missing[b], {}), lists_.first_vertex(b), lists_.block(b));
+    add_missing_arcs(std::exchange(missing[b], {}), lists_.first_vertex(b), lists_.last_vertex(b),
+                     lists_.block(b));
 
   for (int b = 0; b < lists_.num_blocks(); ++b) num_arcs_ += lists_.block(b).arcs.size();
   for (int v = 0; v < num_vertices(); ++v)
