@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <algorithm>
-#include <numeric>
+#include <iterator>
+#include <ranges>
+#include <utility>
 
 #include "geodesics/visibility.h"
 #include "isomatch/error.h"
@@ -11,40 +13,10 @@
 namespace isomatch {
 namespace {
 
-using Arc = GeodesicGraph::Arc;
+using Arc = GeodesicArc;
 
-/// Arcs of a run of vertices, one list after the other, each sorted by head.
-struct ArcBlock {
-  std::vector<Arc> arcs;
-  std::vector<int> ends;  ///< Of the list of each vertex of the run.
-};
-
-/// Lists of arcs of all vertices in blocks that can be filled independently of each other.
-class ArcBlocks {
- public:
-  static constexpr int kVertices = 1024;
-
-  explicit ArcBlocks(int num_vertices)
-      : num_vertices_(num_vertices), blocks_((num_vertices + kVertices - 1) / kVertices) {}
-
-  int size() const { return static_cast<int>(blocks_.size()); }
-  int first_vertex(int block) const { return block * kVertices; }
-  int last_vertex(int block) const { return std::min(num_vertices_, (block + 1) * kVertices); }
-  ArcBlock& operator[](int block) { return blocks_[block]; }
-  std::span<Arc> list(int vertex) {
-    ArcBlock& block = blocks_[vertex / kVertices];
-    const int i = vertex % kVertices;
-    return {block.arcs.data() + (i == 0 ? 0 : block.ends[i - 1]),
-            block.arcs.data() + block.ends[i]};
-  }
-
- private:
-  int num_vertices_;
-  std::vector<ArcBlock> blocks_;
-};
-
-void sort_and_deduplicate(std::vector<Arc>& arcs, std::size_t first) {
-  const auto begin = arcs.begin() + static_cast<std::ptrdiff_t>(first);
+void sort_and_deduplicate(std::vector<Arc>& arcs, std::ptrdiff_t first) {
+  const auto begin = arcs.begin() + first;
   std::sort(begin, arcs.end(), [](const Arc& a, const Arc& b) {
     return a.head != b.head ? a.head < b.head : a.length < b.length;
   });
@@ -52,31 +24,32 @@ void sort_and_deduplicate(std::vector<Arc>& arcs, std::size_t first) {
   arcs.erase(std::unique(begin, arcs.end(), same_head), arcs.end());
 }
 
-ArcBlocks unfold_all(const Mesh& mesh, const GeodesicOptions& options, const Context& context) {
+/// What each vertex sees, sorted by head.
+ArcLists unfold_all(const Mesh& mesh, const GeodesicOptions& options, const Context& context) {
   const IndexLists faces = vertex_faces(mesh);
   const bool edges_only = options.arcs == GeodesicArcs::kEdges;
   const std::vector<std::array<int, 3>> neighbours =
       edges_only ? std::vector(mesh.faces.size(), std::array{kNoFace, kNoFace, kNoFace})
                  : face_neighbours(mesh);
-  ArcBlocks blocks(mesh.num_vertices());
-#pragma omp parallel num_threads(context.threads) if (blocks.size() > 1)
+  ArcLists lists(mesh.num_vertices());
+#pragma omp parallel num_threads(context.threads) if (lists.num_blocks() > 1)
   {
     StripUnfolder unfolder(mesh, faces, neighbours, options.window_angle);
+    std::vector<Arc> arcs;
 #pragma omp for schedule(dynamic)
-    for (int b = 0; b < blocks.size(); ++b) {
+    for (int b = 0; b < lists.num_blocks(); ++b) {
       if (context.stop.stop_requested()) continue;
-      ArcBlock& block = blocks[b];
-      for (int v = blocks.first_vertex(b); v < blocks.last_vertex(b); ++v) {
-        const std::size_t first = block.arcs.size();
-        unfolder.append_arcs(v, block.arcs);
-        sort_and_deduplicate(block.arcs, first);
-        block.ends.push_back(static_cast<int>(block.arcs.size()));
+      arcs.clear();
+      for (int v = lists.first_vertex(b), i = 0; v < lists.last_vertex(b); ++v) {
+        unfolder.append_arcs(v, arcs);
+        sort_and_deduplicate(arcs, lists.block(b).starts[i]);
+        lists.block(b).starts[++i] = static_cast<int>(arcs.size());
       }
-      block.arcs.shrink_to_fit();
+      lists.block(b).arcs = arcs;
     }
   }
   context.check_stop();
-  return blocks;
+  return lists;
 }
 
 /// An arc that was found only from its head's side.
@@ -85,51 +58,64 @@ struct MissingArc {
   Arc arc;
 };
 
+/// By the block of their tails.
+using MissingArcs = std::vector<std::vector<MissingArc>>;
+
 /// Gives both directions of a line the shorter length. Returns the arcs that lack a reverse, turned
 /// round. Pairs are met in the order of their lower end, so that one step forward in the list of
 /// the upper end finds the reverse.
-std::vector<MissingArc> make_symmetric(ArcBlocks& blocks, int num_vertices) {
-  std::vector<MissingArc> missing;
-  std::vector<int> next(num_vertices, 0);
-  const auto skip_heads_below = [&](int bound, int vertex, std::span<const Arc> arcs) {
+MissingArcs make_symmetric(ArcLists& lists) {
+  MissingArcs missing(lists.num_blocks());
+  const auto add_missing = [&](int tail, const Arc& arc) {
+    missing[tail / ArcLists::kBlockVertices].push_back({tail, arc});
+  };
+  std::vector<int> next(lists.num_vertices(), 0);
+  const auto skip_heads_below = [&](int bound, int vertex) {
+    const std::span<Arc> arcs = lists[vertex];
     int& i = next[vertex];
     for (; i < std::ssize(arcs) && arcs[i].head < bound; ++i)
-      missing.push_back({arcs[i].head, {vertex, arcs[i].length}});
+      add_missing(arcs[i].head, {vertex, arcs[i].length});
+    return arcs.subspan(i);
   };
-  for (int v = 0; v < num_vertices; ++v) {
-    const std::span<Arc> arcs = blocks.list(v);
-    skip_heads_below(v, v, arcs);
-    for (Arc& arc : arcs.subspan(next[v])) {
-      const std::span<Arc> reverse_arcs = blocks.list(arc.head);
-      skip_heads_below(v, arc.head, reverse_arcs);
-      int& i = next[arc.head];
-      if (i < std::ssize(reverse_arcs) && reverse_arcs[i].head == v) {
-        arc.length = reverse_arcs[i].length = std::min(arc.length, reverse_arcs[i].length);
-        ++i;
+  for (int v = 0; v < lists.num_vertices(); ++v) {
+    for (Arc& arc : skip_heads_below(v, v)) {
+      const std::span<Arc> reverse = skip_heads_below(v, arc.head);
+      if (!reverse.empty() && reverse[0].head == v) {
+        arc.length = reverse[0].length = std::min(arc.length, reverse[0].length);
+        ++next[arc.head];
       } else {
-        missing.push_back({arc.head, {v, arc.length}});
+        add_missing(arc.head, {v, arc.length});
       }
     }
   }
   return missing;
 }
 
-/// `arcs` in lists by tail: that of vertex v is [offsets[v], offsets[v + 1]).
-struct ArcLists {
-  ArcLists(const std::vector<MissingArc>& unsorted, int num_vertices)
-      : offsets(num_vertices + 1, 0), arcs(unsorted.size()) {
-    for (const MissingArc& m : unsorted) ++offsets[m.tail + 1];
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<std::size_t> end(offsets.begin(), offsets.end() - 1);
-    for (const MissingArc& m : unsorted) arcs[end[m.tail]++] = m.arc;
+/// Merges `missing`, the missing arcs of the vertices of a block, into their lists.
+void add_missing_arcs(std::vector<MissingArc> missing, int first_vertex, int last_vertex,
+                      ArcLists::Block& block) {
+  std::ranges::sort(missing, [](const MissingArc& a, const MissingArc& b) {
+    return a.tail != b.tail ? a.tail < b.tail : a.arc.head < b.arc.head;
+  });
+  std::vector<Arc> merged;
+  merged.reserve(block.arcs.size() + missing.size());
+  auto first_missing = missing.begin();
+  int start = 0;
+  for (int i = 0; i < last_vertex - first_vertex; ++i) {
+    const auto last_missing =
+        std::find_if_not(first_missing, missing.end(),
+                         [&](const MissingArc& m) { return m.tail == first_vertex + i; });
+    const int end = block.starts[i + 1];
+    std::ranges::merge(std::span(block.arcs).subspan(start, end - start),
+                       std::ranges::subrange(first_missing, last_missing) |
+                           std::views::transform(&MissingArc::arc),
+                       std::back_inserter(merged), {}, &Arc::head, &Arc::head);
+    block.starts[i + 1] = static_cast<int>(merged.size());
+    first_missing = last_missing;
+    start = end;
   }
-  std::span<const Arc> operator[](int vertex) const {
-    return {arcs.data() + offsets[vertex], arcs.data() + offsets[vertex + 1]};
-  }
-
-  std::vector<std::size_t> offsets;
-  std::vector<Arc> arcs;
-};
+  block.arcs = std::move(merged);
+}
 
 float mean_edge_length(const Mesh& mesh) {
   double sum = 0;
@@ -152,24 +138,16 @@ GeodesicGraph::GeodesicGraph(const Mesh& mesh, const GeodesicOptions& options,
   options.validate();
   validate(mesh);
   mean_edge_length_ = isomatch::mean_edge_length(mesh);
-  ArcBlocks blocks = unfold_all(mesh, options, context);
-  const ArcLists missing(make_symmetric(blocks, mesh.num_vertices()), mesh.num_vertices());
+  lists_ = unfold_all(mesh, options, context);
+  MissingArcs missing = make_symmetric(lists_);
+#pragma omp parallel for schedule(dynamic) num_threads(context.threads) if (lists_.num_blocks() > 1)
+  for (int b = 0; b < lists_.num_blocks(); ++b)
+    add_missing_arcs(std::exchange(missing[b], {}), lists_.first_vertex(b), lists_.last_vertex(b),
+                     lists_.block(b));
 
-  offsets_.resize(mesh.vertices.size() + 1, 0);
-  for (int v = 0; v < mesh.num_vertices(); ++v) {
-    const std::size_t degree = blocks.list(v).size() + missing[v].size();
-    offsets_[v + 1] = offsets_[v] + degree;
-    max_degree_ = std::max(max_degree_, static_cast<int>(degree));
-  }
-  arcs_.resize(offsets_.back());
-#pragma omp parallel for schedule(static) num_threads(context.threads) if (blocks.size() > 1)
-  for (int v = 0; v < mesh.num_vertices(); ++v) {
-    Arc* const first = arcs_.data() + offsets_[v];
-    Arc* const middle = std::ranges::copy(blocks.list(v), first).out;
-    Arc* const last = std::ranges::copy(missing[v], middle).out;
-    if (middle != last)
-      std::sort(first, last, [](const Arc& a, const Arc& b) { return a.head < b.head; });
-  }
+  for (int b = 0; b < lists_.num_blocks(); ++b) num_arcs_ += lists_.block(b).arcs.size();
+  for (int v = 0; v < num_vertices(); ++v)
+    max_degree_ = std::max(max_degree_, static_cast<int>(arcs(v).size()));
 }
 
 }  // namespace isomatch
