@@ -37,10 +37,23 @@ std::array<double, 3> closest_weights(const Point& p, const Point& a, const Poin
 }  // namespace
 
 struct Projection::Index {
+  static constexpr int kDimensions = 6 + kFeatures;
+  using Coordinates = std::array<double, kDimensions>;
   using Distance = nanoflann::L2_Simple_Adaptor<double, Index>;
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Distance, Index, 6>;
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Distance, Index, kDimensions>;
 
-  std::vector<std::array<double, 6>> points;
+  static Coordinates coordinates(const Point& position, const Point& normal,
+                                 const Features& features, const ProjectionWeights& weights) {
+    Coordinates result{};
+    for (int k = 0; k < 3; ++k) {
+      result[k] = position[k];
+      result[3 + k] = weights.normal * normal[k];
+    }
+    for (int k = 0; k < kFeatures; ++k) result[6 + k] = weights.feature * features[k];
+    return result;
+  }
+
+  std::vector<Coordinates> points;
   std::unique_ptr<Tree> tree;
 
   std::size_t kdtree_get_point_count() const { return points.size(); }
@@ -52,25 +65,25 @@ struct Projection::Index {
 };
 
 Projection::Projection(const Mesh& mesh, const IndexLists& vertex_faces,
-                       const std::vector<Point>& normals, double normal_weight)
+                       const std::vector<Point>& normals, const std::vector<Features>& features,
+                       const ProjectionWeights& weights)
     : mesh_(mesh),
       vertex_faces_(vertex_faces),
       normals_(normals),
-      normal_weight_(normal_weight),
+      weights_(weights),
       index_(std::make_unique<Index>()) {
-  for (int v = 0; v < mesh.num_vertices(); ++v) {
-    const Point& p = mesh.vertices[v];
-    const Point n = normal_weight * normals[v];
-    index_->points.push_back({p[0], p[1], p[2], n[0], n[1], n[2]});
-  }
-  index_->tree = std::make_unique<Index::Tree>(6, *index_);
+  index_->points.reserve(mesh.vertices.size());
+  for (int v = 0; v < mesh.num_vertices(); ++v)
+    index_->points.push_back(
+        Index::coordinates(mesh.vertices[v], normals[v], features[v], weights));
+  index_->tree = std::make_unique<Index::Tree>(Index::kDimensions, *index_);
 }
 
 Projection::~Projection() = default;
 
-int Projection::nearest_vertex(const Point& position, const Point& normal) const {
-  const Point n = normal_weight_ * normal;
-  const std::array<double, 6> query{position[0], position[1], position[2], n[0], n[1], n[2]};
+int Projection::nearest_vertex(const Point& position, const Point& normal,
+                               const Features& features) const {
+  const auto query = Index::coordinates(position, normal, features, weights_);
   unsigned int nearest = 0;
   double distance = 0;
   index_->tree->knnSearch(query.data(), 1, &nearest, &distance);
@@ -86,8 +99,9 @@ Foot Projection::foot_at(int vertex) const {
   return foot;
 }
 
-Foot Projection::operator()(const Point& position, const Point& normal) const {
-  const int vertex = nearest_vertex(position, normal);
+Foot Projection::operator()(const Point& position, const Point& normal,
+                            const Features& features) const {
+  const int vertex = nearest_vertex(position, normal, features);
   Foot best = foot_at(vertex);
   double least = (best.position - position).squaredNorm();
   for (int f : vertex_faces_[vertex]) {

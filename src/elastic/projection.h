@@ -11,6 +11,16 @@
 
 namespace isomatch::elastic {
 
+/// What tells points of a surface apart besides position and normal.
+inline constexpr int kFeatures = 3;
+using Features = std::array<double, kFeatures>;
+
+/// How much other differences count, as distances.
+struct ProjectionWeights {
+  double normal = 0.2;
+  double feature = 0.05;
+};
+
 /// A point on a triangle mesh.
 struct Foot {
   int face = -1;
@@ -22,15 +32,15 @@ struct Foot {
 /// Finds the points of a mesh that are closest in position and normal.
 class Projection {
  public:
-  /// Keeps references. A difference of unit normals counts as `normal_weight` times a distance.
+  /// Keeps references.
   Projection(const Mesh& mesh, const IndexLists& vertex_faces, const std::vector<Point>& normals,
-             double normal_weight);
+             const std::vector<Features>& features, const ProjectionWeights& weights);
   ~Projection();
 
   /// The vertex that is closest in position and normal.
-  int nearest_vertex(const Point& position, const Point& normal) const;
+  int nearest_vertex(const Point& position, const Point& normal, const Features& features) const;
   /// The closest point on the faces around that vertex.
-  Foot operator()(const Point& position, const Point& normal) const;
+  Foot operator()(const Point& position, const Point& normal, const Features& features) const;
 
  private:
   struct Index;
@@ -40,7 +50,7 @@ class Projection {
   const Mesh& mesh_;
   const IndexLists& vertex_faces_;
   const std::vector<Point>& normals_;
-  double normal_weight_;
+  ProjectionWeights weights_;
   std::unique_ptr<Index> index_;
 };
 

@@ -55,7 +55,7 @@ class Registrar {
 
   void project() {
     for (int i = 0; i < deformation_.size(); ++i)
-      feet_[i] = surface_(deformation_.positions()[i], normal(i));
+      feet_[i] = surface_(deformation_.positions()[i], normal(i), cloud_.features[i]);
   }
 
   void advance(bool to_surface, double stiffness) {

@@ -36,6 +36,7 @@ struct Registration {
 struct PointCloud {
   std::vector<Point> positions, normals;
   std::vector<double> areas;
+  std::vector<Features> features;
 };
 
 /// Deforms a cloud onto a surface, beginning at `anchors`.

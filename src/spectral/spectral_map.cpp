@@ -17,11 +17,12 @@ Eigen::MatrixXf functional_map(const Samples& source, const SpectralTarget& targ
 }
 
 /// For each sample the row of `points` that is nearest.
-void nearest_rows(const Eigen::MatrixXf& samples, const Eigen::MatrixXf& points,
-                  std::vector<int>& map, const Context& context) {
+std::vector<int> nearest_rows(const Eigen::MatrixXf& samples, const Eigen::MatrixXf& points,
+                              const Context& context) {
   constexpr int kBlock = 64;
   const Eigen::VectorXf norms = points.rowwise().squaredNorm();
   const int n = static_cast<int>(samples.rows());
+  std::vector<int> map(n);
 #pragma omp parallel for schedule(static) num_threads(context.threads)
   for (int first = 0; first < n; first += kBlock) {
     const int count = std::min(kBlock, n - first);
@@ -33,20 +34,18 @@ void nearest_rows(const Eigen::MatrixXf& samples, const Eigen::MatrixXf& points,
       map[first + i] = static_cast<int>(nearest);
     }
   }
+  return map;
 }
 
 }  // namespace
 
-std::vector<int> refine(const Samples& source, const SpectralTarget& target, std::vector<int> map,
-                        const SpectralOptions& options, const Context& context) {
-  const int last = std::min({options.last, static_cast<int>(source.functions.cols()),
-                             static_cast<int>(target.basis.functions.cols())});
-  for (int size = std::min(options.first, last);; size = std::min(size + options.step, last)) {
-    const Eigen::MatrixXf c = functional_map(source, target, map, size);
-    nearest_rows(source.functions.leftCols(size),
-                 target.basis.functions.leftCols(size) * c.transpose(), map, context);
-    if (size == last) return map;
-  }
+std::vector<int> refine(const Samples& source, const SpectralTarget& target,
+                        const std::vector<int>& map, int size, const Context& context) {
+  size = std::min({size, static_cast<int>(source.functions.cols()),
+                   static_cast<int>(target.basis.functions.cols())});
+  const Eigen::MatrixXf c = functional_map(source, target, map, size);
+  return nearest_rows(source.functions.leftCols(size),
+                      target.basis.functions.leftCols(size) * c.transpose(), context);
 }
 
 }  // namespace isomatch::spectral

@@ -2,12 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <array>
-#include <span>
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/topology.h"
 #include "spectral/eigenbasis.h"
 
 namespace isomatch::spectral {
@@ -21,18 +18,12 @@ struct Samples {
 /// A target mesh with its eigenfunctions.
 struct SpectralTarget {
   const Mesh& mesh;
-  const IndexLists& vertex_faces;
   const Eigenbasis& basis;
 };
 
-/// Sizes of the bases, in order.
-struct SpectralOptions {
-  int first = 20, last = 100, step = 20;
-};
-
-/// ZoomOut (Melzi et al. 2019): from a map (a target vertex a sample) to a functional map and back,
-/// with more and more eigenfunctions. O(samples * N * last) a step.
-std::vector<int> refine(const Samples& source, const SpectralTarget& target, std::vector<int> map,
-                        const SpectralOptions& options, const Context& context);
+/// One step of ZoomOut (Melzi et al. 2019): from a map, a target vertex a sample, to a functional
+/// map between the first `size` eigenfunctions and back. O(samples * N * size).
+std::vector<int> refine(const Samples& source, const SpectralTarget& target,
+                        const std::vector<int>& map, int size, const Context& context);
 
 }  // namespace isomatch::spectral

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "face_orientation.h"
+#include "tracked/relief.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -35,20 +36,6 @@ std::vector<Index> simplified(const Mesh& mesh, int count) {
   return result;
 }
 
-/// `mesh` at unit area with its faces turned outwards, if that can be told.
-Mesh normalised(const Shape& shape, bool& oriented) {
-  Mesh mesh = shape.surface.mesh;
-  const double scale = 1 / std::sqrt(shape.surface.area);
-  const Point centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
-                       mesh.num_vertices();
-  for (Point& p : mesh.vertices) p = (p - centre) * scale;
-  const auto signs = face_orientation(mesh);
-  oriented = signs.has_value();
-  for (int f = 0; oriented && f < mesh.num_faces(); ++f)
-    if ((*signs)[f] < 0) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
-  return mesh;
-}
-
 void take_vertices(const Mesh& mesh, const std::vector<Index>& corners, Proxy& proxy) {
   std::vector<int> renumbered(mesh.vertices.size(), kNoVertex);
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
@@ -63,14 +50,15 @@ void take_vertices(const Mesh& mesh, const std::vector<Index>& corners, Proxy& p
   }
 }
 
-void measure_normals(Proxy& proxy) {
-  proxy.normals.assign(proxy.mesh.vertices.size(), Point::Zero());
-  for (const Face& face : proxy.mesh.faces) {
-    const Point& p = proxy.mesh.vertices[face[0]];
-    const Point normal = (proxy.mesh.vertices[face[1]] - p).cross(proxy.mesh.vertices[face[2]] - p);
-    for (int v : face) proxy.normals[v] += normal;
+std::vector<Point> vertex_normals(const Mesh& mesh) {
+  std::vector<Point> normals(mesh.vertices.size(), Point::Zero());
+  for (const Face& face : mesh.faces) {
+    const Point& p = mesh.vertices[face[0]];
+    const Point normal = (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
+    for (int v : face) normals[v] += normal;
   }
-  for (Point& normal : proxy.normals) normal.normalize();
+  for (Point& normal : normals) normal.normalize();
+  return normals;
 }
 
 /// Evenly spread vertices; the first does not depend on the numbering.
@@ -101,6 +89,24 @@ void measure_distances(const GeodesicGraph& graph, Proxy& proxy, const Context& 
 
 }  // namespace
 
+UnitSurface unit_surface(const Shape& shape) {
+  UnitSurface surface;
+  surface.mesh = shape.surface.mesh;
+  surface.faces = vertex_faces(surface.mesh);
+  surface.scale = std::sqrt(shape.surface.area);
+  Mesh& mesh = surface.mesh;
+  surface.centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
+                   mesh.num_vertices();
+  for (Point& p : mesh.vertices) p = (p - surface.centre) / surface.scale;
+  const auto signs = face_orientation(mesh);
+  surface.oriented = signs.has_value();
+  for (int f = 0; surface.oriented && f < mesh.num_faces(); ++f)
+    if ((*signs)[f] < 0) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+  surface.normals = vertex_normals(mesh);
+  surface.features = relief(mesh, surface.normals);
+  return surface;
+}
+
 NodeGraph node_graph(const Proxy& proxy, int count) {
   count = std::min(count, proxy.num_nodes());
   std::vector<int> nearest(proxy.mesh.vertices.size());
@@ -123,6 +129,7 @@ NodeGraph node_graph(const Proxy& proxy, int count) {
   for (int i = 0; i < count; ++i) {
     graph.cloud.positions.push_back(proxy.node_position(i));
     graph.cloud.normals.push_back(proxy.node_normal(i));
+    graph.cloud.features.push_back(proxy.features[proxy.nodes[i]]);
     values.insert(values.end(), touching[i].begin(), touching[i].end());
     offsets.push_back(static_cast<int>(values.size()));
   }
@@ -130,12 +137,14 @@ NodeGraph node_graph(const Proxy& proxy, int count) {
   return graph;
 }
 
-Proxy make_proxy(const Shape& shape, const ProxyOptions& options, const Context& context) {
+Proxy make_proxy(const Shape& shape, const UnitSurface& surface, const ProxyOptions& options,
+                 const Context& context) {
   Proxy proxy;
-  const Mesh mesh = normalised(shape, proxy.oriented);
-  take_vertices(mesh, simplified(mesh, options.vertices), proxy);
+  proxy.oriented = surface.oriented;
+  take_vertices(surface.mesh, simplified(surface.mesh, options.vertices), proxy);
+  for (int v : proxy.surface_vertex) proxy.features.push_back(surface.features[v]);
   proxy.faces = vertex_faces(proxy.mesh);
-  measure_normals(proxy);
+  proxy.normals = vertex_normals(proxy.mesh);
   const GeodesicGraph graph(proxy.mesh, {}, context);
   proxy.nodes = spread_nodes(graph, options.nodes);
   measure_distances(graph, proxy, context);

@@ -20,6 +20,24 @@ struct ProxyOptions {
   int nodes = 1000;
 };
 
+/// A surface scaled to unit area and centred, with normals. Faces are turned outwards if
+/// `oriented`.
+struct UnitSurface {
+  Mesh mesh;
+  /// Coordinates of the shape are `scale` times those of `mesh` plus `centre`.
+  double scale = 1;
+  Point centre{0, 0, 0};
+  IndexLists faces;
+  /// Whether it is known which side is outside.
+  bool oriented = false;
+  /// Area-weighted unit normals of the vertices.
+  std::vector<Point> normals;
+  /// Of the vertices, see `relief`.
+  std::vector<elastic::Features> features;
+};
+
+UnitSurface unit_surface(const Shape& shape);
+
 /// A simplified copy of a surface, scaled to unit area, on which everything global is computed, and
 /// nodes spread evenly over it. Nodes come in farthest point order, so the first k of them are
 /// evenly spread as well.
@@ -32,6 +50,8 @@ struct Proxy {
   bool oriented = false;
   /// Area-weighted unit normals of the vertices.
   std::vector<Point> normals;
+  /// Of the vertices, see `relief`.
+  std::vector<elastic::Features> features;
   /// Proxy vertex of each node.
   std::vector<int> nodes;
   /// Geodesic distances from the nodes (rows) to all vertices (columns).
@@ -55,6 +75,7 @@ struct NodeGraph {
 NodeGraph node_graph(const Proxy& proxy, int count);
 
 /// O(N log N + nodes * vertices log vertices).
-Proxy make_proxy(const Shape& shape, const ProxyOptions& options, const Context& context);
+Proxy make_proxy(const Shape& shape, const UnitSurface& surface, const ProxyOptions& options,
+                 const Context& context);
 
 }  // namespace isomatch::tracked

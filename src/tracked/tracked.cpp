@@ -13,11 +13,12 @@ namespace {
 using namespace tracked;
 
 SurfaceMap project(const std::vector<Point>& positions, const std::vector<Point>& normals,
+                   const std::vector<elastic::Features>& features,
                    const elastic::Projection& surface, const Context& context) {
   SurfaceMap map(positions.size());
 #pragma omp parallel for schedule(static) num_threads(context.threads)
   for (std::size_t v = 0; v < map.size(); ++v) {
-    const elastic::Foot foot = surface(positions[v], normals[v]);
+    const elastic::Foot foot = surface(positions[v], normals[v], features[v]);
     map[v] = {foot.face, foot.weights};
   }
   return map;
@@ -29,17 +30,19 @@ TrackedMap dense_map(const Model& source, const Model& target, const Track& trac
   const DeformedSurface deformed =
       transfer(source.shape, source.surface, source.proxy, track.deformation);
   const elastic::Projection onto_target(target.surface.mesh, target.surface.faces,
-                                        target.surface.normals, options.normal_weight);
+                                        target.surface.normals, target.surface.features,
+                                        options.projection);
   const Mesh deformed_mesh{deformed.positions, source.surface.mesh.faces};
   const elastic::Projection onto_source(deformed_mesh, source.surface.faces, deformed.normals,
-                                        options.normal_weight);
+                                        source.surface.features, options.projection);
   TrackedMap map;
-  map.source_to_target = project(deformed.positions, deformed.normals, onto_target, context);
-  map.target_to_source =
-      project(target.surface.mesh.vertices, target.surface.normals, onto_source, context);
+  map.source_to_target =
+      project(deformed.positions, deformed.normals, source.surface.features, onto_target, context);
+  map.target_to_source = project(target.surface.mesh.vertices, target.surface.normals,
+                                 target.surface.features, onto_source, context);
   for (const Point& p : deformed.positions)
     map.registered.push_back(p * target.surface.scale + target.surface.centre);
-  map.energy = track.registration.energy;
+  map.energy = track.energy;
   map.distance = track.registration.distance;
   map.deviation = track.registration.deviation;
   map.distortion = hypothesis.distortion;

@@ -29,6 +29,17 @@ std::vector<Point> node_positions(const Proxy& proxy, const std::vector<int>& no
   return positions;
 }
 
+elastic::Projection projection_onto(const Proxy& proxy, const TrackerOptions& options) {
+  return {proxy.mesh, proxy.faces, proxy.normals, proxy.features, options.projection};
+}
+
+/// Energy of a coarse, stiff registration that starts at `anchors`.
+double judged_energy(const Model& source, const elastic::Projection& surface,
+                     std::span<const Point> anchors, const TrackerOptions& options) {
+  elastic::Deformation deformation(source.coarse.cloud.positions, source.coarse.neighbours);
+  return register_onto(source.coarse.cloud, deformation, surface, anchors, options.judging).energy;
+}
+
 }  // namespace
 
 std::pair<Model, Model> make_models(const Shape& source, const Shape& target,
@@ -37,7 +48,7 @@ std::pair<Model, Model> make_models(const Shape& source, const Shape& target,
                                  {target, unit_surface(target), {}, {}, {}, {}, {}}};
   Model* const both[] = {&models.first, &models.second};
   for (Model* model : both) {
-    model->proxy = make_proxy(model->shape, options.proxy, context);
+    model->proxy = make_proxy(model->shape, model->surface, options.proxy, context);
     model->coarse = node_graph(model->proxy, options.coarse_nodes);
     model->fine = node_graph(model->proxy, options.proxy.nodes);
   }
@@ -52,51 +63,61 @@ std::pair<Model, Model> make_models(const Shape& source, const Shape& target,
 std::vector<Judged> judge(const Model& source, const Model& target,
                           std::vector<Hypothesis> hypotheses, const TrackerOptions& options,
                           const Context& context) {
-  const elastic::Projection surface(target.proxy.mesh, target.proxy.faces, target.proxy.normals,
-                                    options.normal_weight);
+  const elastic::Projection surface = projection_onto(target.proxy, options);
   std::vector<Judged> judged(hypotheses.size());
 #pragma omp parallel for schedule(dynamic) num_threads(context.threads)
   for (std::size_t k = 0; k < hypotheses.size(); ++k) {
     const auto anchors =
         node_positions(target.proxy, densify(source.proxy, target.proxy, hypotheses[k],
                                              static_cast<int>(source.coarse.cloud.areas.size())));
-    elastic::Deformation deformation(source.coarse.cloud.positions, source.coarse.neighbours);
-    const double energy =
-        register_onto(source.coarse.cloud, deformation, surface, anchors, options.judging).energy;
+    const double energy = judged_energy(source, surface, anchors, options);
     judged[k] = {std::move(hypotheses[k]), energy};
   }
   std::ranges::stable_sort(judged, {}, &Judged::energy);
   return judged;
 }
 
+/// What one registration hands on to the next: the target vertex nearest to each foot.
+std::vector<int> foot_vertices(const Mesh& mesh, const std::vector<elastic::Foot>& feet) {
+  std::vector<int> vertices;
+  for (const elastic::Foot& foot : feet) {
+    const auto corner = std::ranges::max_element(foot.weights) - foot.weights.begin();
+    vertices.push_back(mesh.faces[foot.face][corner]);
+  }
+  return vertices;
+}
+
+double between(double first, double last, double progress) {
+  return first * std::pow(last / first, progress);
+}
+
 Track follow(const Model& source, const Model& target, const Hypothesis& hypothesis,
              const TrackerOptions& options, const Context& context) {
-  const elastic::Projection surface(target.proxy.mesh, target.proxy.faces, target.proxy.normals,
-                                    options.normal_weight);
+  const elastic::Projection surface = projection_onto(target.proxy, options);
   const elastic::PointCloud& cloud = source.fine.cloud;
-  const spectral::SpectralTarget spectral{target.proxy.mesh, target.proxy.faces, target.basis};
-  Track track{{cloud.positions, source.fine.neighbours}, {}, {}};
-  auto anchors = node_positions(target.proxy, densify(source.proxy, target.proxy, hypothesis,
-                                                      static_cast<int>(cloud.areas.size())));
+  const spectral::SpectralTarget spectral{target.proxy.mesh, target.basis};
+  Track track{{cloud.positions, source.fine.neighbours}, {}, 0};
+  std::vector<Point> anchors = node_positions(
+      target.proxy,
+      densify(source.proxy, target.proxy, hypothesis, static_cast<int>(cloud.areas.size())));
   track.registration =
       register_onto(cloud, track.deformation, surface, anchors, options.first_registration);
   for (int round = 0; round < options.rounds; ++round) {
     const double progress = static_cast<double>(round) / std::max(1, options.rounds - 1);
-    track.vertices.clear();
-    for (const elastic::Foot& foot : track.registration.feet) {
-      const auto largest = std::ranges::max_element(foot.weights) - foot.weights.begin();
-      track.vertices.push_back(target.proxy.mesh.faces[foot.face][largest]);
-    }
-    const int size = static_cast<int>(std::lround(
-        options.first_basis * std::pow(static_cast<double>(options.last_basis) / options.first_basis, progress)));
-    track.vertices = refine(source.samples, spectral, track.vertices, {size, size, 1}, context);
-    anchors.clear();
-    for (int v : track.vertices) anchors.push_back(target.proxy.mesh.vertices[v]);
-    elastic::RegistrationOptions step = options.next_registration;
-    step.last_length = step.first_length * std::pow(step.last_length / step.first_length, progress);
-    step.first_length = step.last_length * options.length_fall;
+    const int size =
+        static_cast<int>(std::lround(between(options.first_basis, options.last_basis, progress)));
+    const std::vector<int> vertices =
+        refine(source.samples, spectral, foot_vertices(target.proxy.mesh, track.registration.feet),
+               size, context);
+    for (std::size_t i = 0; i < anchors.size(); ++i)
+      anchors[i] = target.proxy.mesh.vertices[vertices[i]];
+    elastic::RegistrationOptions step = options.alternation;
+    step.first_length = step.last_length = between(step.first_length, step.last_length, progress);
     track.registration = register_onto(cloud, track.deformation, surface, anchors, step);
   }
+  const auto& positions = track.deformation.positions();
+  track.energy = judged_energy(
+      source, surface, std::span(positions).first(source.coarse.cloud.areas.size()), options);
   return track;
 }
 
@@ -115,8 +136,7 @@ std::vector<Finalist> run_finals(const Model& source, const Model& target,
     if (static_cast<int>(finalists.size()) == options.finalists) break;
     finalists.push_back({j.hypothesis, follow(source, target, j.hypothesis, options, context)});
   }
-  std::ranges::stable_sort(finalists, {},
-                           [](const Finalist& f) { return f.track.registration.energy; });
+  std::ranges::stable_sort(finalists, {}, [](const Finalist& f) { return f.track.energy; });
   std::vector<Finalist> different;
   for (Finalist& finalist : finalists) {
     const bool known = std::ranges::any_of(different, [&](const Finalist& other) {

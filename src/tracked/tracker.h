@@ -29,19 +29,25 @@ struct TrackerOptions {
   HypothesisOptions hypotheses;
   int coarse_nodes = 200;
   int finalists = 2;
-  double normal_weight = 0.2;
+  elastic::ProjectionWeights projection;
   elastic::RegistrationOptions judging{.first_length = 0.3,
                                        .last_length = 0.04,
                                        .anchor_steps = 3,
                                        .surface_steps = 9,
                                        .iterations = 2};
-  elastic::RegistrationOptions first_registration;
-  /// Of the alternation: in each round a length between the two, and the steps.
-  elastic::RegistrationOptions next_registration{.first_length = 0.1, .last_length = 0.02, .anchor_steps = 2, .surface_steps = 1, .iterations = 3};
-  int first_basis = 20, last_basis = 100;
-  int rounds = 6;
-  double length_fall = 1;
+  elastic::RegistrationOptions first_registration{
+      .first_length = 0.3, .last_length = 0.05, .anchor_steps = 5, .surface_steps = 5};
+  /// Rounds of alternation: a spectral step with from `first_basis` to `last_basis` eigenfunctions,
+  /// and a registration with lengths from the first to the last of these.
+  int rounds = 8;
+  int first_basis = 6, last_basis = 100;
+  elastic::RegistrationOptions alternation{.first_length = 0.05,
+                                           .last_length = 0.01,
+                                           .anchor_steps = 2,
+                                           .surface_steps = 1,
+                                           .iterations = 3};
 };
+
 /// The models of both shapes. O(N log N).
 std::pair<Model, Model> make_models(const Shape& source, const Shape& target,
                                     const TrackerOptions& options, const Context& context);
@@ -60,8 +66,8 @@ std::vector<Judged> judge(const Model& source, const Model& target,
 struct Track {
   elastic::Deformation deformation;
   elastic::Registration registration;
-  /// Target proxy vertex of each fine node.
-  std::vector<int> vertices;
+  /// Of a coarse, stiff registration that starts where this one ended.
+  double energy = 0;
 };
 
 Track follow(const Model& source, const Model& target, const Hypothesis& hypothesis,

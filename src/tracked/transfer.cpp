@@ -4,34 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-
-#include "face_orientation.h"
 
 namespace isomatch::tracked {
-
-UnitSurface unit_surface(const Shape& shape) {
-  UnitSurface surface;
-  surface.mesh = shape.surface.mesh;
-  surface.faces = vertex_faces(surface.mesh);
-  surface.scale = std::sqrt(shape.surface.area);
-  Mesh& mesh = surface.mesh;
-  surface.centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
-                   mesh.num_vertices();
-  for (Point& p : mesh.vertices) p = (p - surface.centre) / surface.scale;
-  const auto signs = face_orientation(mesh);
-  surface.oriented = signs.has_value();
-  for (int f = 0; surface.oriented && f < mesh.num_faces(); ++f)
-    if ((*signs)[f] < 0) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
-  surface.normals.assign(mesh.vertices.size(), Point::Zero());
-  for (const Face& face : mesh.faces) {
-    const Point& p = mesh.vertices[face[0]];
-    const Point normal = (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
-    for (int v : face) surface.normals[v] += normal;
-  }
-  for (Point& normal : surface.normals) normal.normalize();
-  return surface;
-}
 
 DeformedSurface transfer(const Shape& shape, const UnitSurface& surface, const Proxy& proxy,
                          const elastic::Deformation& deformation) {

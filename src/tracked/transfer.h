@@ -9,19 +9,6 @@
 
 namespace isomatch::tracked {
 
-/// A surface with normals, at unit area, as `Proxy` has it.
-struct UnitSurface {
-  Mesh mesh;
-  /// Coordinates of the shape are `scale` times those of `mesh` plus `centre`.
-  double scale = 1;
-  Point centre{0, 0, 0};
-  IndexLists faces;
-  bool oriented = false;
-  std::vector<Point> normals;
-};
-
-UnitSurface unit_surface(const Shape& shape);
-
 /// A deformed surface: positions and normals of its vertices.
 struct DeformedSurface {
   std::vector<Point> positions, normals;

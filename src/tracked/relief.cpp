@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/relief.h"
+
+#include <Eigen/SparseCholesky>
+
+#include "cotangent_laplacian.h"
+
+namespace isomatch::tracked {
+
+std::vector<elastic::Features> relief(const Mesh& mesh, const std::vector<Point>& normals) {
+  constexpr std::array<double, elastic::kFeatures> kScales{0.015, 0.03, 0.06};
+  const std::vector<double> areas = vertex_areas(mesh);
+  const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(mesh);
+  Eigen::MatrixX3d positions(mesh.num_vertices(), 3), weighted(mesh.num_vertices(), 3);
+  for (int v = 0; v < mesh.num_vertices(); ++v) {
+    positions.row(v) = mesh.vertices[v].transpose();
+    weighted.row(v) = areas[v] * positions.row(v);
+  }
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
+  solver.analyzePattern(laplacian);
+  std::vector<elastic::Features> features(mesh.vertices.size());
+  for (int k = 0; k < elastic::kFeatures; ++k) {
+    Eigen::SparseMatrix<double> system = laplacian * (kScales[k] * kScales[k]);
+    for (int v = 0; v < mesh.num_vertices(); ++v) system.coeffRef(v, v) += areas[v];
+    solver.factorize(system);
+    const Eigen::MatrixX3d smooth = solver.solve(weighted);
+    for (int v = 0; v < mesh.num_vertices(); ++v)
+      features[v][k] = normals[v].dot((positions.row(v) - smooth.row(v)).transpose()) / kScales[k];
+  }
+  return features;
+}
+
+}  // namespace isomatch::tracked
