@@ -13,12 +13,13 @@
 namespace isomatch {
 
 struct TrackedOptions {
-  /// Also accept maps that turn the surface inside out. Without orientation on both meshes every
-  /// map may do so.
+  /// Try to match the mirror image of the source as well.
   bool allow_reflection = false;
+  /// Let orientation guide the growth of hypotheses.
+  bool orientation = true;
   /// Choose among hypotheses by elastic energy; without, by distortion and orientation alone.
   bool elastic_judging = true;
-  /// Refine below the landmarks' precision by alternating spectral and elastic steps.
+  /// Refine by alternating spectral and elastic steps after a first registration.
   bool refinement = true;
   /// Maps besides the best one that are refined and returned, if there are as many.
   int alternatives = 0;
@@ -41,8 +42,10 @@ struct TrackedMap {
   double distance = 0;
   /// Mean deviation of their normals from the target's, 1 - cosine.
   double deviation = 0;
-  /// Mean isometric distortion and local orientation in [-1, 1] of the hypothesis it began as.
+  /// Mean isometric distortion, and the local orientation in [-1, 1] of the hypothesis it began as.
   double distortion = 0, orientation = 0;
+  /// Whether it maps the mirror image of the source, see `TrackedOptions::allow_reflection`.
+  bool mirrored = false;
 };
 
 /// What became of a hypothesis.
@@ -57,8 +60,8 @@ struct TrackedResult {
   std::vector<TrackedMap> maps;
   /// All hypotheses that were judged, best first.
   std::vector<HypothesisSummary> hypotheses;
-  /// 1 - E1 / E2 with the energies of the best and the second best map that are really different:
-  /// near 0 where the choice is ambiguous. 1 if there was no other.
+  /// 1 - C1 / C2, C the energy times the distortion, of the best map and of the
+  /// best that is really different: near 0 where the choice is ambiguous. 1 if there was no other.
   double confidence = 0;
   /// Whether both surfaces tell outside from inside, so that mirrored maps could be excluded.
   bool oriented = false;

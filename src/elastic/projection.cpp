@@ -49,7 +49,8 @@ struct Projection::Index {
       result[k] = position[k];
       result[3 + k] = weights.normal * normal[k];
     }
-    for (int k = 0; k < kFeatures; ++k) result[6 + k] = weights.feature * features[k];
+    for (int k = 0; k < kReliefs; ++k) result[6 + k] = weights.relief * features.relief[k];
+    for (int k = 0; k < kPlaces; ++k) result[6 + kReliefs + k] = weights.place * features.place[k];
     return result;
   }
 

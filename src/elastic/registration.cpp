@@ -12,11 +12,13 @@ namespace {
 class Registrar {
  public:
   Registrar(const PointCloud& cloud, Deformation& deformation, const Projection& surface,
-            std::span<const Point> anchors, const RegistrationOptions& options)
+            std::span<const Point> anchors, const RegistrationOptions& options,
+            std::span<const Pin> pins)
       : cloud_(cloud),
         deformation_(deformation),
         surface_(surface),
         options_(options),
+        pins_(pins),
         goals_(anchors.size()),
         feet_(anchors.size()) {
     for (std::size_t i = 0; i < anchors.size(); ++i) goals_[i].anchor = anchors[i];
@@ -65,6 +67,7 @@ class Registrar {
     } else {
       for (int i = 0; i < deformation_.size(); ++i) goals_[i].anchor_weight = cloud_.areas[i];
     }
+    hold_pins();
     deformation_.fit_positions(goals_, stiffness);
     deformation_.fit_rotations(options_.rotation_smoothness);
   }
@@ -86,10 +89,19 @@ class Registrar {
     }
   }
 
+  void hold_pins() {
+    constexpr double kFirm = 100;
+    for (const Pin& pin : pins_) {
+      goals_[pin.point].anchor = pin.position;
+      goals_[pin.point].anchor_weight = kFirm * cloud_.areas[pin.point];
+    }
+  }
+
   const PointCloud& cloud_;
   Deformation& deformation_;
   const Projection& surface_;
   const RegistrationOptions& options_;
+  std::span<const Pin> pins_;
   std::vector<Goal> goals_;
   std::vector<Foot> feet_;
 };
@@ -98,8 +110,8 @@ class Registrar {
 
 Registration register_onto(const PointCloud& cloud, Deformation& deformation,
                            const Projection& surface, std::span<const Point> anchors,
-                           const RegistrationOptions& options) {
-  Registrar registrar(cloud, deformation, surface, anchors, options);
+                           const RegistrationOptions& options, std::span<const Pin> pins) {
+  Registrar registrar(cloud, deformation, surface, anchors, options, pins);
   registrar.run();
   return registrar.result();
 }

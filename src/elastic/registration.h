@@ -39,9 +39,15 @@ struct PointCloud {
   std::vector<Features> features;
 };
 
+/// A point of the cloud that goes to a known place.
+struct Pin {
+  int point;
+  Point position;
+};
+
 /// Deforms a cloud onto a surface, beginning at `anchors`.
 Registration register_onto(const PointCloud& cloud, Deformation& deformation,
                            const Projection& surface, std::span<const Point> anchors,
-                           const RegistrationOptions& options);
+                           const RegistrationOptions& options, std::span<const Pin> pins = {});
 
 }  // namespace isomatch::elastic

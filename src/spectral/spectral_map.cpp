@@ -8,11 +8,11 @@ namespace isomatch::spectral {
 namespace {
 
 /// Functional map that takes the first `size` target coefficients to source coefficients.
-Eigen::MatrixXf functional_map(const Samples& source, const SpectralTarget& target,
+Eigen::MatrixXf functional_map(const Samples& source, const Eigenbasis& target,
                                const std::vector<int>& map, int size) {
   Eigen::MatrixXf pulled(map.size(), size);
   for (std::size_t i = 0; i < map.size(); ++i)
-    pulled.row(i) = target.basis.functions.row(map[i]).head(size);
+    pulled.row(i) = target.functions.row(map[i]).head(size);
   return source.functions.leftCols(size).transpose() * (source.areas.asDiagonal() * pulled);
 }
 
@@ -39,13 +39,13 @@ std::vector<int> nearest_rows(const Eigen::MatrixXf& samples, const Eigen::Matri
 
 }  // namespace
 
-std::vector<int> refine(const Samples& source, const SpectralTarget& target,
+std::vector<int> refine(const Samples& source, const Eigenbasis& target,
                         const std::vector<int>& map, int size, const Context& context) {
-  size = std::min({size, static_cast<int>(source.functions.cols()),
-                   static_cast<int>(target.basis.functions.cols())});
+  size = std::min(
+      {size, static_cast<int>(source.functions.cols()), static_cast<int>(target.functions.cols())});
   const Eigen::MatrixXf c = functional_map(source, target, map, size);
   return nearest_rows(source.functions.leftCols(size),
-                      target.basis.functions.leftCols(size) * c.transpose(), context);
+                      target.functions.leftCols(size) * c.transpose(), context);
 }
 
 }  // namespace isomatch::spectral

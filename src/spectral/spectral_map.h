@@ -15,15 +15,9 @@ struct Samples {
   Eigen::VectorXf areas;
 };
 
-/// A target mesh with its eigenfunctions.
-struct SpectralTarget {
-  const Mesh& mesh;
-  const Eigenbasis& basis;
-};
-
 /// One step of ZoomOut (Melzi et al. 2019): from a map, a target vertex a sample, to a functional
 /// map between the first `size` eigenfunctions and back. O(samples * N * size).
-std::vector<int> refine(const Samples& source, const SpectralTarget& target,
+std::vector<int> refine(const Samples& source, const Eigenbasis& target,
                         const std::vector<int>& map, int size, const Context& context);
 
 }  // namespace isomatch::spectral

@@ -15,7 +15,7 @@ Growth::Growth(const Landmarks& source, int source_count, const Landmarks& targe
       options_(options),
       source_count_(std::min(source_count, source.size())),
       target_count_(std::min(target_count, target.size())),
-      oriented_(source.oriented() && target.oriented()),
+      oriented_(options.orientation && source.oriented() && target.oriented()),
       nearest_(source_count_),
       cost_(target_count_) {
   for (int i = 0; i < source_count_; ++i) {
@@ -93,7 +93,7 @@ LandmarkMap Growth::grow(const Correspondence& matches) {
 }
 
 void Growth::revise(LandmarkMap& map) {
-  for (int i = 0; i < source_count_; ++i)
+  for (int i = options_.fixed; i < source_count_; ++i)
     map.target_of_source[i] = best_target(i, map.target_of_source);
 }
 

@@ -25,6 +25,10 @@ struct GrowthOptions {
   float orientation_weight = 0.03F;
   /// Neighbours that orientation is measured against.
   int neighbours = 6;
+  /// Whether orientation plays a part.
+  bool orientation = true;
+  /// The first landmarks, whose matches are given and stay.
+  int fixed = 0;
 };
 
 /// Extends a partial matching of landmarks to all source landmarks, one by one in their order,

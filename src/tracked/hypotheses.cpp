@@ -69,23 +69,66 @@ std::vector<LandmarkMap> grow_all(const std::vector<Correspondence>& starts,
   return maps;
 }
 
-int place(const std::vector<int>& tips, int node) {
-  return static_cast<int>(std::ranges::find(tips, node) - tips.begin());
+int place(const std::vector<int>& nodes, int node) {
+  return static_cast<int>(std::ranges::find(nodes, node) - nodes.begin());
+}
+
+void append_new(std::vector<int>& nodes, const std::vector<int>& more) {
+  for (int node : more)
+    if (std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
+}
+
+/// Nodes of both shapes that seeds match, the given landmarks first.
+struct Tips {
+  std::vector<int> source, target;
+};
+
+Tips sharp_tips(const Proxy& source, const Proxy& target, const HypothesisOptions& options) {
+  Tips tips;
+  for (const Match& match : options.landmarks) {
+    tips.source.push_back(match.source);
+    tips.target.push_back(match.target);
+  }
+  append_new(tips.source, extremities(source, options.seeds));
+  append_new(tips.target, extremities(target, options.seeds));
+  return tips;
+}
+
+void append_spread_nodes(const Proxy& proxy, int count, std::vector<int>& tips) {
+  for (int i = 0; i < proxy.num_nodes() && static_cast<int>(tips.size()) < count; ++i)
+    append_new(tips, {i});
+}
+
+/// Matchings of tips, by their places in `tips`. Shapes with too few extremities get evenly spread
+/// nodes as well, and small meshes make do with fewer matches.
+std::vector<Correspondence> find_seeds(const Proxy& source, const Proxy& target, Tips& tips,
+                                       const HypothesisOptions& options) {
+  const int fixed = static_cast<int>(options.landmarks.size());
+  const auto search = [&](const SeedOptions& seeds) {
+    return seed_matchings(source, tips.source, target, tips.target, fixed, seeds);
+  };
+  std::vector<Correspondence> found = search(options.seeds);
+  if (found.empty()) {
+    append_spread_nodes(source, options.seeds.spread_source_nodes, tips.source);
+    append_spread_nodes(target, options.seeds.spread_target_nodes, tips.target);
+    SeedOptions seeds = options.seeds;
+    seeds.min_matches = std::min({seeds.min_matches, source.num_nodes(), target.num_nodes()});
+    found = search(seeds);
+  }
+  for (Correspondence& matches : found)
+    for (Match& match : matches)
+      match = {place(tips.source, match.source), place(tips.target, match.target)};
+  return found;
 }
 
 }  // namespace
 
 std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target,
                                         const HypothesisOptions& options, const Context& context) {
-  const std::vector<int> source_tips = extremities(source, options.seeds);
-  const std::vector<int> target_tips = extremities(target, options.seeds);
-  std::vector<Correspondence> starts =
-      seed_matchings(source, source_tips, target, target_tips, options.seeds);
-  for (Correspondence& matches : starts)
-    for (Match& match : matches)
-      match = {place(source_tips, match.source), place(target_tips, match.target)};
-  const Landmarks from = landmarks_of(source, source_tips, options.fine.source_landmarks);
-  const Landmarks onto = landmarks_of(target, target_tips, options.fine.target_landmarks);
+  Tips tips = sharp_tips(source, target, options);
+  std::vector<Correspondence> starts = find_seeds(source, target, tips, options);
+  const Landmarks from = landmarks_of(source, tips.source, options.fine.source_landmarks);
+  const Landmarks onto = landmarks_of(target, tips.target, options.fine.target_landmarks);
   const std::vector<LandmarkMap> coarse =
       grow_all(starts, from, onto, options.coarse, options, context);
   starts.clear();

@@ -25,6 +25,8 @@ struct HypothesisOptions {
   GrowthStage fine{100, 400, 16};
   /// Maps whose landmarks lie closer than this on average are the same hypothesis.
   float same_distance = 0.06F;
+  /// Nodes that match.
+  Correspondence landmarks;
 };
 
 /// A map between nodes of two proxies.

@@ -89,21 +89,27 @@ void measure_distances(const GeodesicGraph& graph, Proxy& proxy, const Context& 
 
 }  // namespace
 
-UnitSurface unit_surface(const Shape& shape) {
+UnitSurface unit_surface(const Shape& shape, bool mirrored) {
   UnitSurface surface;
-  surface.mesh = shape.surface.mesh;
-  surface.faces = vertex_faces(surface.mesh);
-  surface.scale = std::sqrt(shape.surface.area);
   Mesh& mesh = surface.mesh;
+  mesh = shape.surface.mesh;
+  surface.faces = vertex_faces(mesh);
+  surface.scale = std::sqrt(shape.surface.area);
   surface.centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
                    mesh.num_vertices();
-  for (Point& p : mesh.vertices) p = (p - surface.centre) / surface.scale;
+  for (Point& p : mesh.vertices) {
+    p = (p - surface.centre) / surface.scale;
+    if (mirrored) p[0] = -p[0];
+  }
   const auto signs = face_orientation(mesh);
   surface.oriented = signs.has_value();
-  for (int f = 0; surface.oriented && f < mesh.num_faces(); ++f)
-    if ((*signs)[f] < 0) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+  surface.turned.assign(mesh.faces.size(), false);
+  for (int f = 0; surface.oriented && f < mesh.num_faces(); ++f) {
+    surface.turned[f] = (*signs)[f] < 0;
+    if (surface.turned[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+  }
   surface.normals = vertex_normals(mesh);
-  surface.features = relief(mesh, surface.normals);
+  for (const auto& relief : relief(mesh, surface.normals)) surface.features.push_back({relief, {}});
   return surface;
 }
 
@@ -137,8 +143,7 @@ NodeGraph node_graph(const Proxy& proxy, int count) {
   return graph;
 }
 
-Proxy make_proxy(const Shape& shape, const UnitSurface& surface, const ProxyOptions& options,
-                 const Context& context) {
+Proxy make_proxy(const UnitSurface& surface, const ProxyOptions& options, const Context& context) {
   Proxy proxy;
   proxy.oriented = surface.oriented;
   take_vertices(surface.mesh, simplified(surface.mesh, options.vertices), proxy);
@@ -148,6 +153,9 @@ Proxy make_proxy(const Shape& shape, const UnitSurface& surface, const ProxyOpti
   const GeodesicGraph graph(proxy.mesh, {}, context);
   proxy.nodes = spread_nodes(graph, options.nodes);
   measure_distances(graph, proxy, context);
+  for (int v = 0; v < proxy.num_vertices(); ++v)
+    for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_nodes()); ++k)
+      proxy.features[v].place[k] = proxy.distances(k, v);
   return proxy;
 }
 

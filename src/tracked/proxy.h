@@ -30,13 +30,16 @@ struct UnitSurface {
   IndexLists faces;
   /// Whether it is known which side is outside.
   bool oriented = false;
+  /// For each face whether its corners 1 and 2 were exchanged to turn it outwards.
+  std::vector<bool> turned;
   /// Area-weighted unit normals of the vertices.
   std::vector<Point> normals;
-  /// Of the vertices, see `relief`.
+  /// Of the vertices; places refer to the first nodes of the proxy.
   std::vector<elastic::Features> features;
 };
 
-UnitSurface unit_surface(const Shape& shape);
+/// `mirrored` reflects the coordinates first.
+UnitSurface unit_surface(const Shape& shape, bool mirrored = false);
 
 /// A simplified copy of a surface, scaled to unit area, on which everything global is computed, and
 /// nodes spread evenly over it. Nodes come in farthest point order, so the first k of them are
@@ -50,7 +53,7 @@ struct Proxy {
   bool oriented = false;
   /// Area-weighted unit normals of the vertices.
   std::vector<Point> normals;
-  /// Of the vertices, see `relief`.
+  /// Of the vertices; places refer to the first nodes.
   std::vector<elastic::Features> features;
   /// Proxy vertex of each node.
   std::vector<int> nodes;
@@ -75,7 +78,6 @@ struct NodeGraph {
 NodeGraph node_graph(const Proxy& proxy, int count);
 
 /// O(N log N + nodes * vertices log vertices).
-Proxy make_proxy(const Shape& shape, const UnitSurface& surface, const ProxyOptions& options,
-                 const Context& context);
+Proxy make_proxy(const UnitSurface& surface, const ProxyOptions& options, const Context& context);
 
 }  // namespace isomatch::tracked

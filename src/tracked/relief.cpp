@@ -8,8 +8,9 @@
 
 namespace isomatch::tracked {
 
-std::vector<elastic::Features> relief(const Mesh& mesh, const std::vector<Point>& normals) {
-  constexpr std::array<double, elastic::kFeatures> kScales{0.015, 0.03, 0.06};
+std::vector<std::array<double, elastic::kReliefs>> relief(const Mesh& mesh,
+                                                          const std::vector<Point>& normals) {
+  constexpr std::array<double, elastic::kReliefs> kScales{0.015, 0.03, 0.06};
   const std::vector<double> areas = vertex_areas(mesh);
   const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(mesh);
   Eigen::MatrixX3d positions(mesh.num_vertices(), 3), weighted(mesh.num_vertices(), 3);
@@ -19,8 +20,8 @@ std::vector<elastic::Features> relief(const Mesh& mesh, const std::vector<Point>
   }
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
   solver.analyzePattern(laplacian);
-  std::vector<elastic::Features> features(mesh.vertices.size());
-  for (int k = 0; k < elastic::kFeatures; ++k) {
+  std::vector<std::array<double, elastic::kReliefs>> features(mesh.vertices.size());
+  for (int k = 0; k < elastic::kReliefs; ++k) {
     Eigen::SparseMatrix<double> system = laplacian * (kScales[k] * kScales[k]);
     for (int v = 0; v < mesh.num_vertices(); ++v) system.coeffRef(v, v) += areas[v];
     solver.factorize(system);

@@ -38,8 +38,13 @@ class SeedSearch {
         options_(options),
         used_(target_tips.size(), false) {}
 
-  std::vector<Correspondence> run() {
-    visit(0, 0);
+  std::vector<Correspondence> run(int fixed) {
+    for (int i = 0; i < fixed; ++i) {
+      used_[i] = true;
+      matches_.push_back({source_tips_[i], target_tips_[i]});
+    }
+    min_matches_ = std::max(options_.min_matches, fixed);
+    visit(fixed, 0);
     std::vector<Correspondence> result;
     for (; !best_.empty(); best_.pop()) result.push_back(best_.top().matches);
     std::ranges::reverse(result);
@@ -88,7 +93,7 @@ class SeedSearch {
   }
 
   void keep(double score) {
-    if (static_cast<int>(matches_.size()) < options_.min_matches) return;
+    if (static_cast<int>(matches_.size()) < min_matches_) return;
     best_.push({score, matches_});
     if (static_cast<int>(best_.size()) > options_.max_seeds) best_.pop();
   }
@@ -101,6 +106,7 @@ class SeedSearch {
   std::vector<bool> used_;
   Correspondence matches_;
   std::priority_queue<Seed> best_;
+  int min_matches_ = 0;
   int visits_ = 0;
 };
 
@@ -122,8 +128,8 @@ std::vector<int> extremities(const Proxy& proxy, const SeedOptions& options) {
 
 std::vector<Correspondence> seed_matchings(const Proxy& source, const std::vector<int>& source_tips,
                                            const Proxy& target, const std::vector<int>& target_tips,
-                                           const SeedOptions& options) {
-  return SeedSearch(source, source_tips, target, target_tips, options).run();
+                                           int fixed, const SeedOptions& options) {
+  return SeedSearch(source, source_tips, target, target_tips, options).run(fixed);
 }
 
 }  // namespace isomatch::tracked

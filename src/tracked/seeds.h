@@ -22,6 +22,9 @@ struct SeedOptions {
   int max_seeds = 2000;
   /// Partial matchings that are looked at.
   int max_visits = 2000000;
+  /// Evenly spread nodes that complete the tips of shapes that have too few of them for a seed.
+  int spread_source_nodes = 6;
+  int spread_target_nodes = 60;
 };
 
 /// Nodes at the tips of a shape: local maxima of the integral geodesic distance, in descending
@@ -29,9 +32,9 @@ struct SeedOptions {
 std::vector<int> extremities(const Proxy& proxy, const SeedOptions& options);
 
 /// Partial injective matchings between two sets of nodes that roughly keep distances, best first.
-/// Branch and bound. Matches are pairs of nodes.
+/// Branch and bound. Matches are pairs of nodes. The first `fixed` nodes of both sets match.
 std::vector<Correspondence> seed_matchings(const Proxy& source, const std::vector<int>& source_tips,
                                            const Proxy& target, const std::vector<int>& target_tips,
-                                           const SeedOptions& options);
+                                           int fixed, const SeedOptions& options);
 
 }  // namespace isomatch::tracked

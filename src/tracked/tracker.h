@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "elastic/registration.h"
+#include "isomatch/correspondence.h"
 #include "spectral/spectral_map.h"
 #include "tracked/hypotheses.h"
 #include "tracked/proxy.h"
@@ -22,14 +23,25 @@ struct Model {
   spectral::Eigenbasis basis;
   /// Of the fine nodes.
   spectral::Samples samples;
+  bool mirrored = false;
 };
 
 struct TrackerOptions {
   ProxyOptions proxy;
   HypothesisOptions hypotheses;
   int coarse_nodes = 200;
+  /// Different maps that are wanted, and hypotheses that are followed to find them, at most.
+  int different_maps = 1;
   int finalists = 2;
-  elastic::ProjectionWeights projection;
+  /// Choose by energy, or else by the order of the hypotheses.
+  bool elastic_judging = true;
+  /// Maps are judged by energy times this power of their distortion. Energy alone misses limbs that
+  /// are exchanged where they lie close together; distortion alone cannot tell front from back.
+  double distortion_power = 1;
+  /// Vertices of the surfaces that match.
+  Correspondence landmarks;
+  /// As long as limbs may be matched wrongly, and from then on.
+  elastic::ProjectionWeights early_projection, late_projection{.place = 0.05};
   elastic::RegistrationOptions judging{.first_length = 0.3,
                                        .last_length = 0.04,
                                        .anchor_steps = 3,
@@ -48,40 +60,55 @@ struct TrackerOptions {
                                            .iterations = 3};
 };
 
-/// The models of both shapes. O(N log N).
-std::pair<Model, Model> make_models(const Shape& source, const Shape& target,
-                                    const TrackerOptions& options, const Context& context);
+/// O(N log N).
+Model make_model(const Shape& shape, bool mirrored, const TrackerOptions& options,
+                 const Context& context);
 
 /// A hypothesis and its elastic energy.
 struct Judged {
   Hypothesis hypothesis;
-  double energy;
+  double energy = 0;
+  /// Which of the sources it starts from.
+  const Model* source = nullptr;
+
+  double cost(const TrackerOptions& options) const;
 };
 
-std::vector<Judged> judge(const Model& source, const Model& target,
-                          std::vector<Hypothesis> hypotheses, const TrackerOptions& options,
-                          const Context& context);
+/// Finds hypotheses and judges them, least energy first.
+std::vector<Judged> judged_hypotheses(const Model& source, const Model& target,
+                                      const TrackerOptions& options, const Context& context);
+
+void sort_by_cost(std::vector<Judged>& judged, const TrackerOptions& options);
 
 /// A registered hypothesis.
 struct Track {
   elastic::Deformation deformation;
   elastic::Registration registration;
+  /// Of the nodes, with the places where they went.
+  std::vector<elastic::Features> features;
   /// Of a coarse, stiff registration that starts where this one ended.
   double energy = 0;
-};
+  /// Mean isometric distortion of the first nodes.
+  double distortion = 0;
 
-Track follow(const Model& source, const Model& target, const Hypothesis& hypothesis,
-             const TrackerOptions& options, const Context& context);
+  double cost(const TrackerOptions& options) const;
+};
 
 /// A hypothesis that was followed to the end.
 struct Finalist {
-  Hypothesis hypothesis;
+  Judged judged;
   Track track;
 };
 
-/// Follows the best of `judged`. Those that end up as the same map count once. Best first.
-std::vector<Finalist> run_finals(const Model& source, const Model& target,
-                                 const std::vector<Judged>& judged, const TrackerOptions& options,
-                                 const Context& context);
+struct Finals {
+  /// Best first, all different.
+  std::vector<Finalist> finalists;
+  /// See `TrackedResult::confidence`.
+  double confidence = 1;
+};
+
+/// Follows the best of `judged`. Those that end up as the same map count once.
+Finals run_finals(const Model& target, const std::vector<Judged>& judged,
+                  const TrackerOptions& options, const Context& context);
 
 }  // namespace isomatch::tracked
