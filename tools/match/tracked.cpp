@@ -52,6 +52,9 @@ Json tracked_options_json(const MatchArguments& arguments, const TrackedArgument
   Json json = options_json(arguments, "tracked");
   json["allow-reflection"] = tracked.options.allow_reflection;
   json["alternatives"] = tracked.options.alternatives;
+  json["orientation"] = tracked.options.orientation;
+  json["elastic-judging"] = tracked.options.elastic_judging;
+  json["refinement"] = tracked.options.refinement;
   json["landmarks"] = tracked.landmarks.empty() ? Json() : Json(tracked.landmarks);
   json["target-to-source"] = tracked.target_to_source;
   return json;
@@ -101,7 +104,18 @@ Method add_tracked_method(CLI::App& command, const std::string& group) {
   TrackedOptions& options = tracked->options;
   command
       .add_flag("--allow-reflection", options.allow_reflection,
-                "Also accept maps that turn the surface inside out")
+                "Try to match the mirror image of the source as well")
+      ->group(group);
+  command
+      .add_flag("!--no-orientation", options.orientation,
+                "Grow hypotheses by distances along the surface alone")
+      ->group(group);
+  command
+      .add_flag("!--no-elastic-judging", options.elastic_judging,
+                "Choose by distortion and orientation instead of elastic energy")
+      ->group(group);
+  command
+      .add_flag("!--no-refinement", options.refinement, "Stop after a first, coarse registration")
       ->group(group);
   command.add_option("--alternatives", options.alternatives, "Maps to write besides the best one")
       ->type_name("K")
