@@ -10,11 +10,12 @@ Usage: bench/tables/paper_method.py [--program build/release/tools/isomatch] [--
 import argparse
 import json
 import pathlib
-import subprocess
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from common import (add_common_arguments, add_data_argument, commit, evaluate, machine, mean, run,
+                    table_line, truth_options, write_page)
+
 COARSE_LEVEL = 4  # The paper reports D_grd of xi(4,1).
 
 
@@ -47,43 +48,22 @@ def classes(data):
         yield f"TOSCA {kind}", tosca, ".off", tosca_pairs(tosca, kind)
 
 
-def run(command):
-    return subprocess.run([str(word) for word in command], check=True, capture_output=True,
-                          text=True).stdout
-
-
-def evaluate(program, folder, ending, source, target, result):
-    """What `isomatch eval` says of the map in the file `result`."""
-    truth = folder / "corres"
-    command = [program, "eval", folder / (source + ending), folder / (target + ending), result,
-               "--json", "--gt-source", truth / f"{source}.vts",
-               "--gt-target", truth / f"{target}.vts"]
-    symmetric = truth / f"{target}.sym.vts"
-    if symmetric.exists():
-        command += ["--gt-target-sym", symmetric]
-    return json.loads(run(command))
-
-
 def match(program, folder, ending, source, target):
     """The figures of one pair."""
+    meshes = [folder / (name + ending) for name in (source, target)]
+    truth = truth_options(folder, source, target)
     with tempfile.TemporaryDirectory() as out:
         start = time.perf_counter()
-        run([program, "match", folder / (source + ending), folder / (target + ending),
-             "--method", "paper", "-o", out, "--quiet"])
+        run([program, "match", *meshes, "--method", "paper", "-o", out, "--quiet"])
         seconds = time.perf_counter() - start
         out = pathlib.Path(out)
         levels = json.loads((out / "levels.json").read_text())
-        final = evaluate(program, folder, ending, source, target, out / "correspondence.txt")
-        coarse = evaluate(program, folder, ending, source, target,
-                          out / "levels" / f"{COARSE_LEVEL:02}.many_to_one.txt")
+        final = evaluate(program, *meshes, out / "correspondence.txt", truth)
+        coarse = evaluate(program, *meshes, out / f"levels/{COARSE_LEVEL:02}.many_to_one.txt",
+                          truth)
     return {"pair": f"{source} {target}", "seconds": seconds,
             "levels": [level["distortion"]["d_iso_mean"] for level in levels],
             "final": final, "coarse": coarse}
-
-
-def mean(values):
-    values = list(values)
-    return sum(values) / len(values) if values else float("nan")
 
 
 def preserves(figures):
@@ -102,7 +82,7 @@ def table_row(title, pairs):
              f"{100 * mean(p['final']['ground_truth'][error]['mean'] for p in kept):.2f}",
              f"{100 * mean(p['final']['ground_truth'][error]['mean'] for p in pairs):.2f}",
              f"{mean(p['seconds'] for p in pairs):.2f}"]
-    return "| " + " | ".join(str(cell) for cell in cells) + " |"
+    return table_line(cells)
 
 
 def pair_row(figures):
@@ -113,17 +93,7 @@ def pair_row(figures):
              f"{final['d_iso_over_max_geodesic']['maximum']:.4f}",
              f"{coarse['ground_truth'][grd]['mean']:.4f}",
              f"{100 * final['ground_truth']['error_over_sqrt_area']['mean']:.2f}"]
-    return "| " + " | ".join(cells) + " |"
-
-
-def machine():
-    lines = pathlib.Path("/proc/cpuinfo").read_text().splitlines()
-    models = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
-    return f"{len(models)} cores, {models[0] if models else 'unknown processor'}"
-
-
-def commit():
-    return run(["git", "-C", ROOT, "describe", "--always", "--dirty"]).strip()
+    return table_line(cells)
 
 
 def distortion_per_level(title, pairs):
@@ -151,9 +121,8 @@ Horse Gallop. Seconds are those of the whole program.
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/tools/isomatch")
-    parser.add_argument("--data", type=pathlib.Path, default=ROOT / "../shared/data")
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/results/paper_method.md")
+    add_common_arguments(parser, "paper_method.md")
+    add_data_argument(parser)
     arguments = parser.parse_args()
     rows, pairs_text, level_rows = [], [], []
     for title, folder, ending, pairs in classes(arguments.data):
@@ -167,8 +136,7 @@ def main():
     text += "| data | k = 0, 1, ... |\n|---|---|\n" + "\n".join(level_rows)
     text += "\n\n## Pairs\n\n| pair | orientation | D_iso | d_iso† | D_grd xi(4,1) | error |\n"
     text += "|---|---|---|---|---|---|\n" + "\n".join(pairs_text) + "\n"
-    arguments.out.parent.mkdir(parents=True, exist_ok=True)
-    arguments.out.write_text(text)
+    write_page(arguments.out, text)
 
 
 if __name__ == "__main__":

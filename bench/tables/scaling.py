@@ -11,21 +11,15 @@ import argparse
 import json
 import math
 import pathlib
-import subprocess
 import tempfile
 import time
 
-from paper_method import ROOT, commit, machine
+from common import add_common_arguments, commit, machine, run, table_head, table_line, write_page
 
 SMALLEST = 2000
 REPETITIONS = 3
 STAGES = ["reading", "diagnosis", "geodesic graph", "saliency", "sampling", "patch matching",
           "merging"]
-
-
-def run(command):
-    return subprocess.run([str(word) for word in command], check=True, capture_output=True,
-                          text=True).stdout
 
 
 def synthesize(program, folder, vertices, pose):
@@ -65,14 +59,13 @@ def row(figures):
     cells = [f"{figures['vertices']:,}", f"{figures['seconds']:.2f}"]
     cells += [f"{figures['stages'][stage]:.2f}" for stage in STAGES]
     cells += [f"{figures['memory']:.0f}", f"{figures['d_iso']:.4f}"]
-    return "| " + " | ".join(cells) + " |"
+    return table_line(cells)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/tools/isomatch")
+    add_common_arguments(parser, "scaling.md")
     parser.add_argument("--largest", type=int, default=128000)
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/results/scaling.md")
     arguments = parser.parse_args()
     results, vertices = [], SMALLEST
     while vertices <= arguments.largest:
@@ -87,9 +80,8 @@ def main():
             f"Pairs of creatures from `isomatch synth`; seconds, median of {REPETITIONS} runs. The",
             f"least squares fit of the whole program's time is N^{power:.2f}; N log N over this range",
             f"is N^{exponent(sizes, [n * math.log(n) for n in sizes]):.2f}.", "",
-            "| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
-    arguments.out.parent.mkdir(parents=True, exist_ok=True)
-    arguments.out.write_text("\n".join(text + [row(r) for r in results]) + "\n")
+            *table_head(columns)]
+    write_page(arguments.out, "\n".join(text + [row(r) for r in results]) + "\n")
     print(f"exponent {power:.3f}")
 
 
