@@ -60,8 +60,9 @@ struct TrackedResult {
   std::vector<TrackedMap> maps;
   /// All hypotheses that were judged, best first.
   std::vector<HypothesisSummary> hypotheses;
-  /// 1 - C1 / C2, C the energy times the distortion, of the best map and of the
-  /// best that is really different: near 0 where the choice is ambiguous. 1 if there was no other.
+  /// 1 - C1 / C2, C the energy times the cube root of the distortion, of the best
+  /// map and of the best that is really different: near 0 where the choice is ambiguous. 1 if there
+  /// was no other.
   double confidence = 0;
   /// Whether both surfaces tell outside from inside, so that mirrored maps could be excluded.
   bool oriented = false;

@@ -3,7 +3,8 @@
 #include "tracked/hypotheses.h"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
+#include <utility>
 
 namespace isomatch::tracked {
 namespace {
@@ -99,34 +100,14 @@ void append_spread_nodes(const Proxy& proxy, int count, std::vector<int>& tips) 
     append_new(tips, {i});
 }
 
-/// Matchings of tips, by their places in `tips`. Shapes with too few extremities get evenly spread
-/// nodes as well, and small meshes make do with fewer matches.
-std::vector<Correspondence> find_seeds(const Proxy& source, const Proxy& target, Tips& tips,
-                                       const HypothesisOptions& options) {
-  const int fixed = static_cast<int>(options.landmarks.size());
-  const auto search = [&](const SeedOptions& seeds) {
-    return seed_matchings(source, tips.source, target, tips.target, fixed, seeds);
-  };
-  std::vector<Correspondence> found = search(options.seeds);
-  if (found.empty()) {
-    append_spread_nodes(source, options.seeds.spread_source_nodes, tips.source);
-    append_spread_nodes(target, options.seeds.spread_target_nodes, tips.target);
-    SeedOptions seeds = options.seeds;
-    seeds.min_matches = std::min({seeds.min_matches, source.num_nodes(), target.num_nodes()});
-    found = search(seeds);
-  }
-  for (Correspondence& matches : found)
+std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& target, const Tips& tips,
+                                         const SeedOptions& seeds, const HypothesisOptions& options,
+                                         const Context& context) {
+  std::vector<Correspondence> starts = seed_matchings(
+      source, tips.source, target, tips.target, static_cast<int>(options.landmarks.size()), seeds);
+  for (Correspondence& matches : starts)
     for (Match& match : matches)
       match = {place(tips.source, match.source), place(tips.target, match.target)};
-  return found;
-}
-
-}  // namespace
-
-std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target,
-                                        const HypothesisOptions& options, const Context& context) {
-  Tips tips = sharp_tips(source, target, options);
-  std::vector<Correspondence> starts = find_seeds(source, target, tips, options);
   const Landmarks from = landmarks_of(source, tips.source, options.fine.source_landmarks);
   const Landmarks onto = landmarks_of(target, tips.target, options.fine.target_landmarks);
   const std::vector<LandmarkMap> coarse =
@@ -142,6 +123,23 @@ std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target
     }
     hypotheses.push_back(std::move(hypothesis));
   }
+  return hypotheses;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target,
+                                        const HypothesisOptions& options, const Context& context) {
+  Tips tips = sharp_tips(source, target, options);
+  std::vector<Hypothesis> hypotheses =
+      grown_hypotheses(source, target, tips, options.seeds, options, context);
+  if (std::cmp_greater_equal(hypotheses.size(), options.enough)) return hypotheses;
+  append_spread_nodes(source, options.seeds.spread_source_nodes, tips.source);
+  append_spread_nodes(target, options.seeds.spread_target_nodes, tips.target);
+  SeedOptions seeds = options.seeds;
+  seeds.min_matches = std::min({seeds.min_matches, source.num_nodes(), target.num_nodes()});
+  std::ranges::move(grown_hypotheses(source, target, tips, seeds, options, context),
+                    std::back_inserter(hypotheses));
   return hypotheses;
 }
 

@@ -25,6 +25,9 @@ struct HypothesisOptions {
   GrowthStage fine{100, 400, 16};
   /// Maps whose landmarks lie closer than this on average are the same hypothesis.
   float same_distance = 0.06F;
+  /// If extremities give fewer hypotheses than this, evenly spread nodes are matched as well: the
+  /// right one may be missing where limbs touch, or where there are none.
+  int enough = 4;
   /// Nodes that match.
   Correspondence landmarks;
 };

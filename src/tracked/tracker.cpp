@@ -142,7 +142,7 @@ double Judged::cost(const TrackerOptions& options) const {
 }
 
 double Track::cost(const TrackerOptions& options) const {
-  return energy * std::pow(distortion, options.distortion_power);
+  return energy * std::pow(distortion, options.final_distortion_power);
 }
 
 void sort_by_cost(std::vector<Judged>& judged, const TrackerOptions& options) {
@@ -249,7 +249,8 @@ double confidence(const Finals& finals, const std::vector<Judged>& judged, const
   for (const Judged& j : judged) {
     if (j.source != winner.judged.source ||
         distance(winner.track, j.hypothesis, target.proxy) > 2 * options.hypotheses.same_distance)
-      rival = std::min(rival, j.cost(options));
+      rival = std::min(
+          rival, j.energy * std::pow(j.hypothesis.distortion, options.final_distortion_power));
   }
   return std::clamp(1 - winner.track.cost(options) / rival, 0.0, 1.0);
 }

@@ -35,9 +35,10 @@ struct TrackerOptions {
   int finalists = 2;
   /// Choose by energy, or else by the order of the hypotheses.
   bool elastic_judging = true;
-  /// Maps are judged by energy times this power of their distortion. Energy alone misses limbs that
-  /// are exchanged where they lie close together; distortion alone cannot tell front from back.
-  double distortion_power = 1;
+  /// Maps are judged by energy times a power of their distortion. Energy alone misses limbs that
+  /// are exchanged where they lie close together; distortion alone cannot tell front from back. One
+  /// power for hypotheses, one for refined maps, whose energy says more.
+  double distortion_power = 1, final_distortion_power = 0.33;
   /// Vertices of the surfaces that match.
   Correspondence landmarks;
   /// As long as limbs may be matched wrongly, and from then on.
