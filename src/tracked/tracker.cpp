@@ -252,7 +252,7 @@ double confidence(const Finals& finals, const std::vector<Judged>& judged, const
       rival = std::min(
           rival, j.energy * std::pow(j.hypothesis.distortion, options.final_distortion_power));
   }
-  return std::clamp(1 - winner.track.cost(options) / rival, 0.0, 1.0);
+  return rival > 0 ? std::clamp(1 - winner.track.cost(options) / rival, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ void expect_covering(const Correspondence& relation, const Shape& source, const 
 }
 
 /// That the result keeps its promises, however good the map is.
+// NOLINTNEXTLINE(readability-function-size): one expectation after the other.
 void expect_sound(const TrackedResult& result, const Shape& source, const Shape& target) {
   ASSERT_FALSE(result.maps.empty());
   for (const TrackedMap& map : result.maps) {

@@ -50,6 +50,7 @@ void expect_subset(const Prepared& prepared) {
 }
 
 /// That all is consistent and finite, whatever the surface.
+// NOLINTNEXTLINE(readability-function-size): one expectation after the other.
 void expect_sound(const Prepared& prepared) {
   const Proxy& proxy = prepared.proxy;
   expect_subset(prepared);
@@ -81,6 +82,7 @@ bool is_connected(const IndexLists& neighbours) {
   return count == neighbours.size();
 }
 
+// NOLINTNEXTLINE(readability-function-size): one expectation after the other.
 void expect_graph(const Proxy& proxy, int count) {
   const NodeGraph graph = node_graph(proxy, count);
   count = std::min(count, proxy.num_nodes());

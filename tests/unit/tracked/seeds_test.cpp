@@ -18,6 +18,7 @@
 namespace isomatch {
 
 /// Lets GoogleTest name a match.
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for.
 void PrintTo(const Match& match, std::ostream* stream) {
   *stream << match.source << ':' << match.target;
 }
