@@ -22,6 +22,9 @@ echo
   --gt-source "$folder/source.vts" --gt-target "$folder/target.vts" \
   --gt-target-sym "$folder/target.sym.vts"
 
+"$isomatch" render "$folder/result" -o "$folder/picture.png"
+
 echo
+echo "The map is drawn in $folder/picture.png."
 echo "The registered source is $folder/result/registered.ply; --method paper runs the method of the paper."
 echo "The pair is in $folder, the correspondence in $folder/result."

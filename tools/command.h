@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "isomatch/context.h"
 
@@ -13,6 +15,8 @@ namespace isomatch::cli {
 struct Request {
   /// Set by the chosen subcommand. Throws on failure; see `run_guarded` for what becomes of that.
   std::function<void(const Context&)> action;
+  /// The words it consists of, the program's name first.
+  std::vector<std::string> words;
   int threads = hardware_threads();
   bool quiet = false;
 };
@@ -24,6 +28,7 @@ void add_match(CLI::App& app, Request& request);
 void add_info(CLI::App& app, Request& request);
 void add_eval(CLI::App& app, Request& request);
 void add_synth(CLI::App& app, Request& request);
+void add_render(CLI::App& app, Request& request);
 
 /// Adds `--threads` and `--quiet`, for subcommands that take more than a moment.
 void add_run_options(CLI::App& command, Request& request);

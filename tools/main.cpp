@@ -33,6 +33,7 @@ void describe_program(CLI::App& app, Request& request) {
   add_eval(app, request);
   add_info(app, request);
   add_synth(app, request);
+  add_render(app, request);
   set_example(app, "isomatch match cat0.off cat1.off -o cats");
 }
 
@@ -72,6 +73,7 @@ int run_guarded(const Request& request) {
 
 int main_guarded(int argc, char** argv) {
   Request request;
+  request.words.assign(argv, argv + argc);
   CLI::App app("Dense correspondence between two triangle meshes of the same thing.", "isomatch");
   describe_program(app, request);
   try {

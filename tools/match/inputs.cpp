@@ -55,7 +55,8 @@ MatchInputs load_inputs(const MatchArguments& arguments, const Context& context)
   MatchInput source = load(arguments.source, geodesics, context, times);
   context.report(kLoaded / 2, "reading");
   MatchInput target = load(arguments.target, geodesics, context, times);
-  return {std::move(source), std::move(target), std::move(times)};
+  return {arguments.words, std::filesystem::current_path().string(), std::move(source),
+          std::move(target), std::move(times)};
 }
 
 std::vector<std::vector<int>> input_vertices(const Surface& surface) {

@@ -22,6 +22,9 @@ struct MatchInput {
 };
 
 struct MatchInputs {
+  /// The command line and the folder in which it was run.
+  std::vector<std::string> words;
+  std::string working_folder;
   MatchInput source, target;
   std::vector<StageTime> times;
 };

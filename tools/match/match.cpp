@@ -69,6 +69,7 @@ void add_match(CLI::App& app, Request& request) {
               "  isomatch match cat0.off cat1.off -o cats --method paper --levels 6");
   command.callback([match, &command, &request] {
     refuse_options_of_others(command, *match);
+    match->arguments.words = request.words;
     match->arguments.quiet = request.quiet;
     request.action = [match](const Context& context) {
       match->methods.at(match->method)(match->arguments, context);

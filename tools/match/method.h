@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "isomatch/context.h"
 
@@ -13,6 +14,8 @@ namespace isomatch::cli {
 /// What every method of `isomatch match` takes.
 struct MatchArguments {
   std::string source, target, folder;
+  /// The command line, for the report.
+  std::vector<std::string> words;
   std::string geodesics = "w20";
   unsigned long seed = 0;
   bool quiet = false;

@@ -30,6 +30,8 @@ double peak_memory() {
 
 Json report_head(const MatchInputs& inputs, const Json& options) {
   return {{"isomatch", kVersion},
+          {"command", inputs.words},
+          {"working_folder", inputs.working_folder},
           {"options", options},
           {"source", input_json(inputs.source)},
           {"target", input_json(inputs.target)}};

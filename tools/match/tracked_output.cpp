@@ -33,7 +33,8 @@ void write_points(ResultFolder& folder, const std::string& stem, const MatchInpu
 /// `place` is the map's folder with a slash, or empty.
 void write_map(ResultFolder& folder, const std::string& place, const TrackedRun& run,
                const TrackedMap& map) {
-  const auto& [source, target, times] = run.inputs;
+  const MatchInput& source = run.inputs.source;
+  const MatchInput& target = run.inputs.target;
   write_points(folder, place + "source_to_target", target,
                input_points(source, target, map.source_to_target));
   if (run.target_to_source)

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "match_program.h"
+#include "program.h"
+
+namespace isomatch::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Render : public MatchProgram {
+ protected:
+  void match(const std::vector<std::string>& more = {}) const {
+    const Outcome outcome = run(arguments("out", more));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  }
+
+  Outcome render(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all{"render",  path("out"), "-o", path("picture.png"),
+                                 "--width", "300"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
+
+  std::string refusal(const std::vector<std::string>& more = {}) const {
+    const Outcome outcome = render(more);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1);
+    EXPECT_FALSE(fs::exists(path("picture.png")));
+    return outcome.errors;
+  }
+};
+
+constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
+
+TEST_F(Render, DrawsAResultOfEitherMethod) {
+  for (const char* method : {"tracked", "paper"}) {
+    match({"--method", method});
+    const Outcome outcome = render();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_THAT(bytes("picture.png"), StartsWith(std::string(kPngSignature)));
+    EXPECT_GT(bytes("picture.png").size(), 5000U);
+  }
+}
+
+TEST_F(Render, TheReportSaysHowToRepeatTheRun) {
+  match();
+  const nlohmann::json report = json("out/report.json");
+  EXPECT_EQ(report["command"].size(), arguments("out").size() + 1);
+  EXPECT_EQ(report["command"].back(), path("out"));
+  EXPECT_EQ(report["working_folder"], fs::current_path().string());
+}
+
+TEST_F(Render, MeshesThatMovedAreAskedFor) {
+  match();
+  fs::rename(path("source.off"), path("elsewhere.off"));
+  EXPECT_THAT(refusal(), HasSubstr("say where it is with --source"));
+  EXPECT_EQ(render({"--source", path("elsewhere.off")}).exit_code, 0);
+}
+
+TEST_F(Render, AMeshThatWasNotMatchedIsRefused) {
+  match();
+  EXPECT_THAT(refusal({"--source", path("target.ply")}), HasSubstr("that was matched had"));
+}
+
+TEST_F(Render, AFolderWithoutAResultIsRefused) {
+  EXPECT_THAT(refusal(), HasSubstr("is this the folder of a match?"));
+  match();
+  folder_.write("out/report.json", "{\"options\": ");
+  EXPECT_THAT(refusal(), HasSubstr("is not the report of a match"));
+}
+
+TEST_F(Render, BadOptionsAreRefused) {
+  match();
+  EXPECT_THAT(refusal({"--alternative", "7"}), HasSubstr("no alternative 7"));
+  EXPECT_THAT(refusal({"--up", "w"}), HasSubstr("--up"));
+  EXPECT_THAT(refusal({"--width", "5"}), HasSubstr("--width"));
+}
+
+}  // namespace
+}  // namespace isomatch::test

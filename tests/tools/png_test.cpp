@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include "isomatch/error.h"
+#include "picture/image.h"
+#include "support/temporary_folder.h"
+
+namespace isomatch::picture {
+namespace {
+
+TEST(Png, BytesAreThoseOfSrgb) {
+  EXPECT_EQ(srgb_byte(0), 0);
+  EXPECT_EQ(srgb_byte(1), 255);
+  EXPECT_EQ(srgb_byte(-3), 0);
+  EXPECT_EQ(srgb_byte(7), 255);
+  EXPECT_EQ(srgb_byte(0.2158605F), 128);
+}
+
+TEST(Png, ComesBackAsItWasWritten) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("picture.png");
+  write_png(path, {3, 2, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {1, 1, 1}, {1, 1, 0}}});
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_file(&png, path.c_str()), 0);
+  png.format = PNG_FORMAT_RGB;
+  EXPECT_EQ(png.width, 3U);
+  EXPECT_EQ(png.height, 2U);
+  std::vector<unsigned char> bytes(PNG_IMAGE_SIZE(png));
+  ASSERT_NE(png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr), 0);
+  EXPECT_EQ(bytes, (std::vector<unsigned char>{255, 0, 0, 0, 255, 0, 0, 0, 255,  //
+                                               0, 0, 0, 255, 255, 255, 255, 255, 0}));
+}
+
+TEST(Png, AFolderThatIsNotThereIsNamed) {
+  EXPECT_THROW(write_png("/no/such/folder/a.png", {1, 1, {{1, 1, 1}}}), BadFile);
+}
+
+}  // namespace
+}  // namespace isomatch::picture

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isomatch/atomic_file.h"
+#include "isomatch/error.h"
+#include "picture/image.h"
+
+namespace isomatch::picture {
+namespace {
+
+std::vector<unsigned char> srgb_bytes(const Image& image) {
+  std::vector<unsigned char> bytes;
+  bytes.reserve(image.pixels.size() * 3);
+  for (const Color& pixel : image.pixels)
+    for (float channel : pixel) bytes.push_back(srgb_byte(channel));
+  return bytes;
+}
+
+/// The file's content.
+std::string encode(const Image& image) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_RGB;
+  const std::vector<unsigned char> bytes = srgb_bytes(image);
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string file(size, '\0');
+  if (png_image_write_to_memory(&png, file.data(), &size, 0, bytes.data(), 0, nullptr) == 0)
+    throw InternalError(fmt::format("libpng: {}", png.message));
+  file.resize(size);
+  return file;
+}
+
+}  // namespace
+
+unsigned char srgb_byte(float linear) {
+  const float x = std::clamp(linear, 0.0F, 1.0F);
+  const float encoded = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+  return static_cast<unsigned char>(std::lround(255 * encoded));
+}
+
+void write_png(const std::string& path, const Image& image) {
+  AtomicFile file(path);
+  file.write(encode(image));
+  file.commit();
+}
+
+}  // namespace isomatch::picture

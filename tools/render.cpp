@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <memory>
+
+#include "command.h"
+#include "isomatch/error.h"
+#include "picture/pair.h"
+#include "picture/position_colors.h"
+#include "result/pair_view.h"
+#include "result/result.h"
+
+namespace isomatch::cli {
+namespace {
+
+using picture::Color;
+
+struct RenderArguments {
+  std::string folder, output, background = "white";
+  MeshPlaces places;
+  ViewOptions view;
+  std::size_t alternative = 0;
+  int width = 1600;
+};
+
+const ResultMap& chosen_map(const MatchResult& result, const RenderArguments& arguments) {
+  if (arguments.alternative >= result.maps.size())
+    throw BadFile(arguments.folder, "has no alternative " + std::to_string(arguments.alternative));
+  return result.maps[arguments.alternative];
+}
+
+std::vector<Color> target_colors(const MatchResult& result, const picture::PositionColors& color) {
+  const std::vector<bool> matched = matched_targets(result);
+  std::vector<Color> colors;
+  for (int v = 0; v < result.target.num_vertices(); ++v)
+    colors.push_back(matched[v] ? color(result.target.vertices[v]) : picture::kUnmatchedColor);
+  return colors;
+}
+
+std::vector<Color> source_colors(const MatchResult& result, const ResultMap& map,
+                                 const picture::PositionColors& color) {
+  const std::vector<Point> places = images(result.target, map);
+  std::vector<Color> colors;
+  for (int v = 0; v < result.source.num_vertices(); ++v)
+    colors.push_back(map.is_matched(v) ? color(places[v]) : picture::kUnmatchedColor);
+  return colors;
+}
+
+Color background_color(const std::string& name) {
+  return name == "black" ? Color(0.01F, 0.01F, 0.012F) : Color(1, 1, 1);
+}
+
+void run_render(const RenderArguments& arguments) {
+  const MatchResult result = load_result(arguments.folder, arguments.places);
+  const ResultMap& map = chosen_map(result, arguments);
+  const PairView view = choose_pair_view(result, map, arguments.view);
+  const picture::PositionColors color(view.target, result.target.vertices);
+  const picture::Portrait source{result.source, source_colors(result, map, color), view.source};
+  const picture::Portrait target{result.target, target_colors(result, color), view.target};
+  write_png(arguments.output,
+            draw_pair(source, target, arguments.width, background_color(arguments.background)));
+}
+
+void add_view_options(CLI::App& command, RenderArguments& arguments) {
+  command.add_option("--width", arguments.width, "Pixels from left to right")
+      ->check(CLI::Range(100, 20000))
+      ->capture_default_str();
+  command
+      .add_option("--up", arguments.view.up, "What is up in the source's file; guessed by default")
+      ->check(CLI::IsMember({"x", "-x", "y", "-y", "z", "-z"}));
+  command
+      .add_option("--turn", arguments.view.turn,
+                  "Degrees to turn the shapes by, from where their largest side shows")
+      ->capture_default_str();
+  command.add_option("--background", arguments.background, "What is behind the shapes")
+      ->check(CLI::IsMember({"white", "black"}))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Request& request) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  CLI::App& command = *app.add_subcommand("render", "Draw a result: colours carried by the map");
+  command.add_option("DIR", arguments->folder, "Folder that `isomatch match` wrote")->required();
+  command.add_option("-o,--output", arguments->output, "PNG file")->required();
+  command
+      .add_option("--alternative", arguments->alternative,
+                  "Draw this alternative instead of the best map")
+      ->type_name("K");
+  command.add_option("--source", arguments->places.source, "The source mesh, if it was moved");
+  command.add_option("--target", arguments->places.target, "The target mesh, if it was moved");
+  add_view_options(command, *arguments);
+  set_example(command, "isomatch render cats -o cats.png");
+  command.callback([arguments, &request] {
+    request.action = [arguments](const Context&) { run_render(*arguments); };
+  });
+}
+
+}  // namespace isomatch::cli

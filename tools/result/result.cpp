@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "result/result.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "isomatch/error.h"
+#include "isomatch/map_io.h"
+#include "isomatch/mesh_io.h"
+#include "isomatch/topology.h"
+
+namespace isomatch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+Json read_report(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw BadFile(path, "cannot be opened; is this the folder of a match?");
+  try {
+    Json report = Json::parse(file);
+    for (const char* side : {"source", "target"})
+      for (const char* field : {"file", "vertices", "faces"}) report.at(side).at(field);
+    report.at("options").at("method");
+    return report;
+  } catch (const Json::exception& error) {
+    throw BadFile(path, fmt::format("is not the report of a match: {}", error.what()));
+  }
+}
+
+/// The mesh file as it was given, seen from here or from where the match was run.
+std::string find_mesh(const Json& report, const char* side, const std::string& place) {
+  if (!place.empty()) return place;
+  const std::string given = report[side]["file"];
+  if (fs::exists(given)) return given;
+  const std::string origin = report.value("working_folder", "");
+  const std::string there = (fs::path(origin) / given).lexically_normal().string();
+  if (!origin.empty() && fs::exists(there)) return there;
+  throw BadFile(given, fmt::format("is not there any more; say where it is with --{}", side));
+}
+
+Mesh read_matched_mesh(const Json& report, const char* side, const std::string& path) {
+  Mesh mesh = read_mesh(path);
+  const int vertices = report[side]["vertices"], faces = report[side]["faces"];
+  if (mesh.num_vertices() != vertices || mesh.num_faces() != faces)
+    throw BadFile(path, fmt::format("has {} vertices and {} faces, but the {} that was matched had "
+                                    "{} and {}",
+                                    mesh.num_vertices(), mesh.num_faces(), side, vertices, faces));
+  return mesh;
+}
+
+/// A point on a face of each vertex of `mesh`, none of vertices without a face.
+SurfaceMap corners(const Mesh& mesh) {
+  SurfaceMap points(mesh.vertices.size());
+  for (int f = 0; f < mesh.num_faces(); ++f) {
+    for (int corner = 0; corner < 3; ++corner) {
+      SurfacePoint& point = points[mesh.faces[f][corner]];
+      if (point.face != kNoFace) continue;
+      point.face = f;
+      point.weights[corner] = 1;
+    }
+  }
+  return points;
+}
+
+SurfaceMap points_of(const Mesh& target, const VertexMap& source_to_target) {
+  const SurfaceMap vertices = corners(target);
+  SurfaceMap points(source_to_target.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (source_to_target[v] != kUnmatched) points[v] = vertices[source_to_target[v]];
+  }
+  return points;
+}
+
+ResultMap load_map(const MatchResult& result, const std::string& folder) {
+  const auto file = [&](const char* name) {
+    return result.path((fs::path(folder) / name).string());
+  };
+  const int source_vertices = result.source.num_vertices();
+  ResultMap map{folder, {}, {}, {}};
+  map.source_to_target = read_source_to_target(file("source_to_target.txt"),
+                                               {source_vertices, result.target.num_vertices()});
+  const std::string bary = file("source_to_target.bary.txt");
+  map.points = fs::exists(bary)
+                   ? read_surface_map(bary, {source_vertices, result.target.num_faces()})
+                   : points_of(result.target, map.source_to_target);
+  const std::string registered = file("registered.ply");
+  if (!fs::exists(registered)) return map;
+  map.registered = read_mesh(registered).vertices;
+  if (map.registered.size() != result.source.vertices.size())
+    throw BadFile(registered, "does not have as many vertices as the source");
+  return map;
+}
+
+}  // namespace
+
+std::string MatchResult::path(const std::string& name) const {
+  return (fs::path(folder) / name).string();
+}
+
+MatchResult load_result(const std::string& folder, const MeshPlaces& places) {
+  MatchResult result;
+  result.folder = folder;
+  result.report = read_report(result.path("report.json"));
+  result.source_path = find_mesh(result.report, "source", places.source);
+  result.target_path = find_mesh(result.report, "target", places.target);
+  result.source = read_matched_mesh(result.report, "source", result.source_path);
+  result.target = read_matched_mesh(result.report, "target", result.target_path);
+  result.maps.push_back(load_map(result, ""));
+  for (const Json& alternative : result.report.value("alternatives", Json::array()))
+    result.maps.push_back(load_map(result, alternative.value("folder", "")));
+  return result;
+}
+
+std::vector<Point> images(const Mesh& target, const ResultMap& map) {
+  std::vector<Point> result(map.points.size(), Point::Zero());
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    if (map.is_matched(static_cast<int>(v))) result[v] = position(target, map.points[v]);
+  }
+  return result;
+}
+
+}  // namespace isomatch::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isomatch/correspondence.h"
+#include "isomatch/mesh.h"
+#include "isomatch/surface_map.h"
+#include "json.h"
+
+namespace isomatch::cli {
+
+/// One map of a result folder, in the numbers of the input files.
+struct ResultMap {
+  /// Below the result folder; empty for the best map.
+  std::string folder;
+  /// The nearest target vertex of every source vertex, `kUnmatched` where there is none.
+  VertexMap source_to_target;
+  /// A point on the target for every source vertex. A map to vertices leads to corners of faces.
+  SurfaceMap points;
+  /// The source's vertices in the target's pose; empty if the method does not register.
+  std::vector<Point> registered;
+
+  bool is_matched(int source_vertex) const { return points[source_vertex].face >= 0; }
+};
+
+/// What `isomatch match` left in a folder, and the meshes it was made of.
+struct MatchResult {
+  std::string folder;
+  /// report.json.
+  Json report;
+  /// Where the meshes were found.
+  std::string source_path, target_path;
+  Mesh source, target;
+  /// The best map, then the alternatives.
+  std::vector<ResultMap> maps;
+
+  std::string path(const std::string& name) const;
+};
+
+/// Where to look for the meshes, instead of where they were; empty for that.
+struct MeshPlaces {
+  std::string source, target;
+};
+
+/// Reads a result folder. Meshes are looked for under the names they were given by, from the
+/// current folder and then from the one in which the match was run. Throws `BadFile` if something
+/// is missing, malformed, or a mesh is not the one that was matched.
+MatchResult load_result(const std::string& folder, const MeshPlaces& places = {});
+
+/// Where each source vertex lands; the origin where it is unmatched.
+std::vector<Point> images(const Mesh& target, const ResultMap& map);
+
+}  // namespace isomatch::cli
