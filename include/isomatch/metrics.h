@@ -46,6 +46,8 @@ struct ErrorStatistics {
   /// 95th percentile; percentiles interpolate between neighbours in order.
   double p95 = 0;
   double maximum = 0;
+  /// All errors, ascending.
+  std::vector<double> errors;
 };
 
 struct TruthOptions {

@@ -83,6 +83,17 @@ struct PaperResult {
   std::vector<StageTime> times;
 };
 
+/// The base vertices of both shapes at one level, in the order of selection.
+struct JointSampling {
+  std::vector<int> source, target;
+};
+
+/// The base vertices of `level`, from 0, or of the level at which all vertices are bases if that
+/// comes first: those that `match_paper` matches. Throws `InvalidInput` if `level` is negative or an
+/// option out of range.
+JointSampling sample_jointly(const Shape& source, const Shape& target, int level,
+                             const PaperOptions& options = {}, const Context& context = {});
+
 /// The method of the paper: coarse-to-fine joint sampling, patch-based combinatorial matching and
 /// three-step merging, level by level. Departures from the text stand, with their reasons, at
 /// `RadiusOptions`, `PaperOptions::coarse_candidates`, `PatchMatchingOptions` and `merge_matches`.

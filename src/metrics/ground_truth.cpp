@@ -119,8 +119,14 @@ ErrorStatistics statistics(std::vector<double> errors, double unit) {
   for (double& error : errors) error /= unit;
   std::ranges::sort(errors);
   const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
-  return {static_cast<int>(errors.size()), sum / static_cast<double>(errors.size()),
-          percentile(errors, 0.5), percentile(errors, 0.95), errors.back()};
+  ErrorStatistics result{static_cast<int>(errors.size()),
+                         sum / static_cast<double>(errors.size()),
+                         percentile(errors, 0.5),
+                         percentile(errors, 0.95),
+                         errors.back(),
+                         {}};
+  result.errors = std::move(errors);
+  return result;
 }
 
 void check_truth(const Shape& target, const GroundTruth& truth) {

@@ -263,6 +263,18 @@ void PaperOptions::validate() const {
   if (max_levels < 0) throw InvalidInput("max_levels must not be negative");
 }
 
+JointSampling sample_jointly(const Shape& source, const Shape& target, int level,
+                             const PaperOptions& options, const Context& context) {
+  options.validate();
+  if (level < 0) throw InvalidInput("a level must not be negative");
+  std::vector<StageTime> times;
+  Descent descent(source, target, options, context, times);
+  descent.sample_level();
+  for (int k = 1; k <= level && !descent.complete(); ++k) descent.sample_level();
+  const SampledLevel& last = descent.sampled().back();
+  return {last.source.sampling.bases, last.target.sampling.bases};
+}
+
 PaperResult match_paper(const Shape& source, const Shape& target, const PaperOptions& options,
                         const Context& context) {
   options.validate();

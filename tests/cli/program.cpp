@@ -30,15 +30,16 @@ Channel open_channel(bool terminal) {
   return {ends[0], ends[1]};
 }
 
-[[noreturn]] void become_program(std::vector<std::string> arguments, int out, int err) {
-  arguments.insert(arguments.begin(), ISOMATCH_PROGRAM);
+[[noreturn]] void become_program(const std::string& program, std::vector<std::string> arguments,
+                                 int out, int err) {
+  arguments.insert(arguments.begin(), program);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   dup2(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
-  execv(ISOMATCH_PROGRAM, argv.data());
+  execv(program.c_str(), argv.data());
   _exit(127);
 }
 
@@ -73,7 +74,7 @@ Outcome run(const std::vector<std::string>& arguments, const RunOptions& options
   const Channel out = open_channel(false), err = open_channel(options.terminal);
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot fork");
-  if (child == 0) become_program(arguments, out.writer, err.writer);
+  if (child == 0) become_program(options.program, arguments, out.writer, err.writer);
   close(out.writer);
   close(err.writer);
   if (options.interrupt_after) {

@@ -17,14 +17,16 @@ struct Outcome {
 };
 
 struct RunOptions {
+  /// The file to run.
+  std::string program = ISOMATCH_PROGRAM;
   /// Standard error is a terminal instead of a pipe.
   bool terminal = false;
   /// Send SIGINT this long after the start.
   std::optional<std::chrono::milliseconds> interrupt_after = std::nullopt;
 };
 
-/// Runs `isomatch` with `arguments` and empty standard input, and waits for its end. A death by a
-/// signal counts as exit code 128 + signal.
+/// Runs `isomatch`, unless told otherwise, with `arguments` and empty standard input, and waits for
+/// its end. A death by a signal counts as exit code 128 + signal.
 Outcome run(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
 }  // namespace isomatch::test

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "nearest_rows.h"
+
+#include <algorithm>
+
+namespace isomatch::baselines {
+
+std::vector<int> nearest_rows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& points,
+                              const Context& context) {
+  constexpr int kBlock = 64;
+  const Eigen::VectorXf norms = points.rowwise().squaredNorm();
+  const int n = static_cast<int>(queries.rows());
+  std::vector<int> nearest(n);
+#pragma omp parallel for schedule(static) num_threads(context.threads)
+  for (int first = 0; first < n; first += kBlock) {
+    const int count = std::min(kBlock, n - first);
+    Eigen::MatrixXf distances = -2 * points * queries.middleRows(first, count).transpose();
+    distances.colwise() += norms;
+    for (int i = 0; i < count; ++i) {
+      Eigen::Index row = 0;
+      distances.col(i).minCoeff(&row);
+      nearest[first + i] = static_cast<int>(row);
+    }
+  }
+  return nearest;
+}
+
+}  // namespace isomatch::baselines

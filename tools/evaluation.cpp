@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "evaluation.h"
+
+#include <fmt/format.h>
+
+#include "isomatch/error.h"
+#include "isomatch/map_io.h"
+
+namespace isomatch::cli {
+namespace {
+
+std::optional<TruthEvaluation> evaluate_truth(const Shape& source, const Shape& target,
+                                              const MeasuredMap& map,
+                                              const std::string& source_file,
+                                              const std::string& target_file,
+                                              const TruthOptions& options, const Context& context) {
+  if (target_file.empty()) return std::nullopt;
+  const std::vector<int> at_source = read_vts(source_file, input_vertex_count(source));
+  const std::vector<int> at_target = read_vts(target_file, input_vertex_count(target));
+  if (at_source.size() != at_target.size())
+    throw BadFile(target_file, fmt::format("{} template points, but {} has {}", at_target.size(),
+                                           source_file, at_source.size()));
+  const GroundTruth truth = surface_truth(source.surface, target.surface, at_source, at_target);
+  TruthEvaluation result{at_source.size(), truth.size(), {}, {}, {}};
+  result.template_errors = template_errors(target, truth, map.matches, options, context);
+  if (map.points) result.point_errors = point_errors(target, truth, *map.points, options, context);
+  result.match_errors = match_errors(target, truth, map.matches, options, context);
+  return result;
+}
+
+Json to_json(const ErrorStatistics& errors) {
+  return {{"mean", errors.mean},
+          {"median", errors.median},
+          {"p95", errors.p95},
+          {"maximum", errors.maximum},
+          {"samples", errors.samples}};
+}
+
+Json to_json(const TruthEvaluation& truth) {
+  Json json = {{"template_points", truth.points_in_files},
+               {"template_points_on_surfaces", truth.points},
+               {"error_over_sqrt_area", to_json(truth.template_errors)}};
+  if (truth.point_errors) json["point_error_over_sqrt_area"] = to_json(*truth.point_errors);
+  json["d_grd_over_max_geodesic"] = to_json(truth.match_errors);
+  return json;
+}
+
+}  // namespace
+
+int input_vertex_count(const Shape& shape) {
+  return static_cast<int>(shape.surface.surface_vertex.size());
+}
+
+Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
+                    const TruthFiles& files, const EvaluationOptions& options,
+                    const Context& context) {
+  const auto against = [&](const std::string& target_file) {
+    return evaluate_truth(source, target, map, files.source, target_file, options.truth, context);
+  };
+  Evaluation result;
+  result.matches = static_cast<int>(map.matches.size());
+  result.truth = against(files.target);
+  result.symmetric_truth = against(files.symmetric_target);
+  result.coverage = target_coverage(target, map.matches);
+  result.orientation = map_orientation(source, target, map.matches, {}, context);
+  result.distortion =
+      isometric_distortion(source, target, map.matches, options.distortion, context);
+  return result;
+}
+
+Json to_json(const Evaluation& evaluation) {
+  Json json = {{"matches", evaluation.matches},
+               {"d_iso_over_max_geodesic",
+                {{"mean", evaluation.distortion.mean}, {"maximum", evaluation.distortion.maximum}}},
+               {"target_hit",
+                {{"vertices", evaluation.coverage.vertices}, {"area", evaluation.coverage.area}}},
+               {"orientation",
+                {{"verdict", to_string(evaluation.orientation.verdict)},
+                 {"preserved_share", evaluation.orientation.preserved_share},
+                 {"mean_sign", evaluation.orientation.mean_sign},
+                 {"votes", evaluation.orientation.votes}}}};
+  if (evaluation.truth) json["ground_truth"] = to_json(*evaluation.truth);
+  if (evaluation.symmetric_truth) {
+    json["symmetric_ground_truth"] = to_json(*evaluation.symmetric_truth);
+    json["flipped"] = evaluation.flipped();
+  }
+  return json;
+}
+
+}  // namespace isomatch::cli

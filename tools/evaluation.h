@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "isomatch/metrics.h"
+#include "json.h"
+
+namespace isomatch::cli {
+
+/// Files that hold the ground truth between two meshes; empty where there is none.
+struct TruthFiles {
+  std::string source, target;
+  /// Of the target under its left-right symmetry.
+  std::string symmetric_target;
+};
+
+/// A correspondence in the numbers of the surfaces.
+struct MeasuredMap {
+  Correspondence matches;
+  /// Where it leads to points on triangles.
+  std::optional<SurfaceMap> points;
+};
+
+struct EvaluationOptions {
+  TruthOptions truth;
+  DistortionOptions distortion;
+};
+
+/// Errors against one ground truth.
+struct TruthEvaluation {
+  /// Template points in the files, and those that lie on both surfaces.
+  std::size_t points_in_files = 0;
+  int points = 0;
+  ErrorStatistics template_errors;
+  /// Of a map to points on triangles.
+  std::optional<ErrorStatistics> point_errors;
+  ErrorStatistics match_errors;
+};
+
+/// All that `isomatch eval` says of a map.
+struct Evaluation {
+  int matches = 0;
+  IsometricDistortion distortion;
+  Coverage coverage;
+  MapOrientation orientation;
+  std::optional<TruthEvaluation> truth;
+  std::optional<TruthEvaluation> symmetric_truth;
+
+  bool flipped() const {
+    return symmetric_truth && symmetric_truth->template_errors.mean < truth->template_errors.mean;
+  }
+};
+
+/// Measures `map` against itself and against the truth in `files`. Throws `BadFile`.
+Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
+                    const TruthFiles& files, const EvaluationOptions& options,
+                    const Context& context);
+
+/// Number of vertices of the mesh that `shape` was made of.
+int input_vertex_count(const Shape& shape);
+
+Json to_json(const Evaluation& evaluation);
+
+}  // namespace isomatch::cli
