@@ -10,6 +10,7 @@ folder=build/demo
 isomatch=build/release/tools/isomatch
 
 scripts/install_packages.sh build
+scripts/build_viewer.sh || echo "No viewer: there will be a picture, but no report." >&2
 scripts/build.sh release
 mkdir -p "$folder"
 
@@ -23,8 +24,14 @@ echo
   --gt-target-sym "$folder/target.sym.vts"
 
 "$isomatch" render "$folder/result" -o "$folder/picture.png"
+report="$folder/picture.png"
+if [ -e viewer/dist/index.html ]; then
+  "$isomatch" report "$folder/result" --quiet \
+    --gt-source "$folder/source.vts" --gt-target "$folder/target.vts"
+  report="$folder/result/report.html in a browser, or $report"
+fi
 
 echo
-echo "The map is drawn in $folder/picture.png."
+echo "To see the map, open $report."
 echo "The registered source is $folder/result/registered.ply; --method paper runs the method of the paper."
 echo "The pair is in $folder, the correspondence in $folder/result."

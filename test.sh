@@ -1,7 +1,7 @@
 #!/bin/bash
 # Builds the project and runs all its tests, on Debian 12 from nothing: missing packages are
 # installed. The last line is 'N passed, N failed'; besides the tests, the build and each lint check
-# count as one.
+# count as one, and so do the viewer's checks.
 # Usage: ./test.sh [--lint] [--preset NAME]
 #   --lint    also check formatting and run clang-tidy (always on where CI is set)
 #   --preset  a preset of CMakePresets.json, such as asan-ubsan; default dev
@@ -69,6 +69,7 @@ sections=(build test)
 [ "$lint" != true ] || sections+=(lint)
 
 check "packages" scripts/install_packages.sh "${sections[@]}" || exit 1
+check "viewer" scripts/build_viewer.sh || true
 check "build" scripts/build.sh "$preset" || exit 1
 if [ "$lint" = true ]; then
   check "formatting" scripts/lint.sh format || true

@@ -75,6 +75,11 @@ ErrorStatistics template_errors(const Shape& target, const GroundTruth& truth,
 ErrorStatistics point_errors(const Shape& target, const GroundTruth& truth, const SurfaceMap& map,
                              const TruthOptions& options = {}, const Context& context = {});
 
+/// The same error of each template point in order, NaN where its source vertex has no point. All
+/// are computed.
+std::vector<double> point_error_list(const Shape& target, const GroundTruth& truth,
+                                     const SurfaceMap& map, const Context& context = {});
+
 /// D_grd (`mean`) and d_grd-dagger (`maximum`), equations 5 and 6: the distance from the target of
 /// each match to the true place of its source, relative to the target's largest geodesic distance.
 /// If a source vertex stands for several template points, its truth is the first of them. Matches

@@ -89,8 +89,8 @@ struct JointSampling {
 };
 
 /// The base vertices of `level`, from 0, or of the level at which all vertices are bases if that
-/// comes first: those that `match_paper` matches. Throws `InvalidInput` if `level` is negative or an
-/// option out of range.
+/// comes first: those that `match_paper` matches. Throws `InvalidInput` if `level` is negative or
+/// an option out of range.
 JointSampling sample_jointly(const Shape& source, const Shape& target, int level,
                              const PaperOptions& options = {}, const Context& context = {});
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "isomatch/error.h"
@@ -166,6 +167,20 @@ ErrorStatistics point_errors(const Shape& target, const GroundTruth& truth, cons
   check_points(target, truth, map);
   const auto pairs = evenly_thinned(point_pairs(truth, map), options.max_samples);
   return statistics(distances(target, pairs, context), std::sqrt(target.surface.area));
+}
+
+std::vector<double> point_error_list(const Shape& target, const GroundTruth& truth,
+                                     const SurfaceMap& map, const Context& context) {
+  check_truth(target, truth);
+  check_points(target, truth, map);
+  const std::vector<double> measured = distances(target, point_pairs(truth, map), context);
+  std::vector<double> errors;
+  for (int i = 0, next = 0; i < truth.size(); ++i) {
+    const bool has_point = map[truth.source[i]].face != kNoFace;
+    errors.push_back(has_point ? measured[next++] / std::sqrt(target.surface.area)
+                               : std::numeric_limits<double>::quiet_NaN());
+  }
+  return errors;
 }
 
 ErrorStatistics match_errors(const Shape& target, const GroundTruth& truth,

@@ -119,6 +119,22 @@ TEST_F(SheetPoints, VerticesWithoutPointAreLeftOut) {
   EXPECT_EQ(errors(SurfaceMap(map.size())).samples, 0);
 }
 
+TEST_F(SheetPoints, TheListHasAnErrorForEachTemplatePoint) {
+  SurfaceMap map = shifted(0, 0.5);
+  map[7] = {};
+  const GroundTruth truth{{3, 7, 3, 0}, {3, 7, 4, 0}};
+  const std::vector<double> list = point_error_list(sheet_, truth, map);
+  ASSERT_EQ(list.size(), 4U);
+  EXPECT_NEAR(list[0], 0.5 * unit_, kRounding);
+  EXPECT_TRUE(std::isnan(list[1]));
+  // Vertices 3 and 4 are neighbours on the sheet, so the error is a straight line.
+  const Mesh& mesh = sheet_.surface.mesh;
+  EXPECT_NEAR(list[2], (position(mesh, map[3]) - mesh.vertices[4]).norm() / kCell * unit_,
+              0.01 * unit_);
+  EXPECT_NEAR(list[3], 0.5 * unit_, kRounding);
+  EXPECT_THROW(point_error_list(sheet_, {{0, 0}, {0}}, map), InvalidInput);
+}
+
 TEST_F(SheetPoints, SamplesAndThreadsAreHeeded) {
   const SurfaceMap map = shifted(1.3, 0.6);
   EXPECT_EQ(errors(map, {.max_samples = 7}).samples, 7);

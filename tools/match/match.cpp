@@ -2,11 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <map>
 #include <memory>
 
 #include "command.h"
 #include "match/method.h"
+#include "page/options.h"
+#include "page/page.h"
 
 namespace isomatch::cli {
 namespace {
@@ -15,10 +18,23 @@ struct MatchCommand {
   MatchArguments arguments;
   std::string method = "tracked";
   std::map<std::string, Method> methods;
+  /// Whether to make a page of the result, and how.
+  bool report = false;
+  PageOptions page;
 };
+
+constexpr const char* kReportGroup = "Options of --report";
 
 std::string group_name(const std::string& method) {
   return fmt::format("Options of --method {}", method);
+}
+
+/// CLI11's `needs` would name the options it found instead.
+void refuse_options_without_report(const CLI::App& command, const MatchCommand& match) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!match.report && option->get_group() == kReportGroup && option->count() > 0)
+      throw CLI::ValidationError(option->get_name(), "is of use with --report only");
+  }
 }
 
 void refuse_options_of_others(const CLI::App& command, const MatchCommand& match) {
@@ -54,6 +70,16 @@ void add_common_options(CLI::App& command, MatchCommand& match) {
       ->capture_default_str();
 }
 
+void run_match(const MatchCommand& match, const Context& context) {
+  const MatchArguments& arguments = match.arguments;
+  if (match.report) check_page_available();
+  match.methods.at(match.method)(arguments, context);
+  if (!match.report) return;
+  const std::string page = (std::filesystem::path(arguments.folder) / "report.html").string();
+  write_page(page, arguments.folder, {arguments.source, arguments.target}, match.page, context);
+  if (!arguments.quiet) fmt::print("to look at it, open {}\n", page);
+}
+
 }  // namespace
 
 void add_match(CLI::App& app, Request& request) {
@@ -64,16 +90,17 @@ void add_match(CLI::App& app, Request& request) {
   add_run_options(command, request);
   match->methods["tracked"] = add_tracked_method(command, group_name("tracked"));
   match->methods["paper"] = add_paper_method(command, group_name("paper"));
+  command.add_flag("--report", match->report, "Make a page that shows the result: DIR/report.html");
+  add_page_options(command, match->page, kReportGroup);
   set_example(command,
               "isomatch match cat0.off cat1.off -o cats\n"
               "  isomatch match cat0.off cat1.off -o cats --method paper --levels 6");
   command.callback([match, &command, &request] {
     refuse_options_of_others(command, *match);
+    refuse_options_without_report(command, *match);
     match->arguments.words = request.words;
     match->arguments.quiet = request.quiet;
-    request.action = [match](const Context& context) {
-      match->methods.at(match->method)(match->arguments, context);
-    };
+    request.action = [match](const Context& context) { run_match(*match, context); };
   });
 }
 

@@ -15,14 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 8> kResults = {"correspondence.txt",
-                                                      "levels.json",
-                                                      "registered.ply",
-                                                      "report.json",
-                                                      "source_to_target.bary.txt",
-                                                      "source_to_target.txt",
-                                                      "target_to_source.bary.txt",
-                                                      "target_to_source.txt"};
+constexpr std::array<std::string_view, 9> kResults = {
+    "correspondence.txt",   "levels.json",
+    "registered.ply",       "report.html",
+    "report.json",          "source_to_target.bary.txt",
+    "source_to_target.txt", "target_to_source.bary.txt",
+    "target_to_source.txt"};
 
 bool is_result(const std::string& name) { return std::ranges::count(kResults, name) > 0; }
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "page/page_data.h"
+
+namespace isomatch::cli {
+
+/// Throws `InvalidInput` that says what is missing if this program was built without the page's
+/// template. For use before long work.
+void check_page_available();
+
+/// `page` with the data in place of its empty data elements. Throws `InternalError` if it has none.
+std::string filled_page(std::string_view page, const PageData& data);
+
+/// Writes a page that shows the result in `folder` (see `load_result`) to `path`. Throws `BadFile`
+/// and `InvalidInput`.
+void write_page(const std::string& path, const std::string& folder, const MeshPlaces& places,
+                const PageOptions& options, const Context& context);
+
+}  // namespace isomatch::cli

@@ -1,0 +1,28 @@
+import './style.css';
+import { unpack } from './data/arrays';
+import type { Manifest } from './data/manifest';
+import { Result } from './data/result';
+import { showPage } from './page';
+
+const text = (id: string): string => document.getElementById(id)?.textContent ?? '';
+
+async function start(root: HTMLElement): Promise<void> {
+  const manifest = text('isomatch-manifest');
+  if (!manifest.trim()) throw new Error('This is the empty page that `isomatch report` fills.');
+  const parsed = JSON.parse(manifest) as Manifest;
+  if (parsed.format !== 1)
+    throw new Error(`This page cannot show data of format ${parsed.format}.`);
+  showPage(root, new Result(parsed, await unpack(text('isomatch-arrays'), parsed.arrays)));
+  // Milliseconds since the page was opened, for tests.
+  document.documentElement.dataset.firstPicture = performance.now().toFixed(0);
+}
+
+const root = document.getElementById('page')!;
+start(root).catch((error: unknown) => {
+  const message = error instanceof Error ? error.message : String(error);
+  const hint = /webgl/i.test(message)
+    ? 'This browser does not draw in 3D (WebGL). Try another one, or switch hardware acceleration on.'
+    : message;
+  root.className = 'failure';
+  root.textContent = hint;
+});

@@ -1,0 +1,99 @@
+import type { Result } from './data/result';
+import { Stage } from './scene/stage';
+import { Store } from './state';
+import { controls } from './ui/controls';
+import { h } from './ui/dom';
+import { fileName } from './ui/format';
+import { Legend } from './ui/legend';
+import { numbers } from './ui/numbers';
+import { plots } from './ui/plots';
+import { PointPanel } from './ui/point_panel';
+import { remarks, warnings } from './ui/summary';
+import { themeButton } from './ui/theme';
+
+function initialStore(result: Result): Store {
+  return new Store({
+    coloring: 'map',
+    map: 0,
+    level: Math.max(0, result.numLevels - 1),
+    layout: 'pair',
+    linked: true,
+    morph: 0,
+    lines: 0,
+    worstIso: false,
+    worstTruth: false,
+    hovered: null,
+    selected: null,
+  });
+}
+
+function header(result: Result, theme: HTMLElement): HTMLElement {
+  const { report } = result.manifest;
+  const names = `${fileName(report.source.file)} → ${fileName(report.target.file)}`;
+  document.title = `${names} – isomatch`;
+  const list = h('ul', { class: 'remarks' });
+  for (const { kind, text } of remarks(result)) list.append(h('li', { class: kind }, text));
+  return h('header', {}, h('div', { class: 'title' }, h('h1', {}, names), theme), list);
+}
+
+function meshWarnings(result: Result): HTMLElement | null {
+  const unusual = warnings(result);
+  if (unusual.length === 0) return null;
+  const items = h('ul');
+  for (const text of unusual) items.append(h('li', {}, text));
+  return h('div', { class: 'warnings' }, h('b', {}, 'About the meshes'), items);
+}
+
+/** The names of the sides over the canvas. */
+function sideLabels(store: Store): HTMLElement {
+  const source = h('span', {}, 'Source');
+  const target = h('span', {}, 'Target');
+  const labels = h('div', { class: 'sides' }, source, target);
+  const show = () => {
+    const overlay = store.state.layout === 'overlay';
+    labels.classList.toggle('overlaid', overlay);
+    source.textContent = overlay ? 'Source in colour, target grey' : 'Source';
+    target.hidden = overlay;
+  };
+  store.listen(show);
+  show();
+  return labels;
+}
+
+/** Builds the page; the first picture is drawn when this returns. */
+export function showPage(root: HTMLElement, result: Result): void {
+  const store = initialStore(result);
+  const canvasBox = h('div', {
+    class: 'canvas',
+    id: 'stage',
+    tabindex: 0,
+    role: 'application',
+    'aria-label': 'Source and target in 3D; arrow keys turn, plus and minus zoom, 0 resets',
+  });
+  const legend = new Legend();
+  const point = new PointPanel();
+  let stage: Stage | null = null;
+  const theme = themeButton(() => stage?.redraw());
+  const view = h('div', { class: 'view' }, canvasBox, sideLabels(store));
+  root.replaceChildren(
+    header(result, theme),
+    h(
+      'main',
+      {},
+      h('div', { class: 'left' }, view, point.element, legend.element, meshWarnings(result)),
+      controls(result, store, () => stage?.resetViews()),
+    ),
+  );
+  stage = new Stage(canvasBox, result, store);
+  stage.onColors = (colors) => legend.show(store.state.coloring, colors);
+  legend.show(store.state.coloring, stage.colors);
+  point.show(result, store.state);
+  store.listen((state) => point.show(result, state));
+  // What is below the picture can wait until it is seen.
+  requestAnimationFrame(() =>
+    setTimeout(() => {
+      root.append(plots(result, store), numbers(result));
+      document.documentElement.dataset.complete = 'true';
+    }),
+  );
+}

@@ -1,0 +1,124 @@
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial } from 'three';
+import type { Shape } from '../data/result';
+
+const VERTEX = `
+  attribute vec3 color;
+  attribute vec3 place;
+  attribute vec3 moved;
+  attribute vec3 movedNormal;
+  uniform float morph;
+  varying vec3 vColor;
+  varying vec3 vPlace;
+  varying vec3 vNormal;
+  void main() {
+    vColor = color;
+    vPlace = place;
+    vNormal = normalMatrix * mix(normal, movedNormal, morph);
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(mix(position, moved, morph), 1.0);
+  }`;
+
+// The light of tools/picture/canvas.cpp.
+const FRAGMENT = `
+  uniform float checker;
+  uniform float opacity;
+  uniform float grey;
+  varying vec3 vColor;
+  varying vec3 vPlace;
+  varying vec3 vNormal;
+  void main() {
+    float size = length(vNormal);
+    vec3 normal = size > 0.0 ? vNormal / size : vec3(0.0, 0.0, 1.0);
+    if (normal.z < 0.0) normal = -normal;
+    vec3 light = normalize(vec3(-0.4, 0.7, 1.0));
+    float shade = 0.22 + 0.6 * max(0.0, dot(normal, light)) + 0.25 * normal.z;
+    vec3 color = vColor;
+    if (checker > 0.0) {
+      vec2 cell = floor(vPlace.xy * checker);
+      color = mod(cell.x + cell.y, 2.0) < 0.5 ? color * 0.3 : mix(color, vec3(1.0), 0.35);
+    }
+    color = mix(color, vec3(0.42), grey);
+    gl_FragColor = vec4(color * shade, opacity);
+    #include <colorspace_fragment>
+  }`;
+
+/** A shape on the graphics card. */
+export class Surface {
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+
+  constructor(private readonly shape: Shape) {
+    const geometry = new BufferGeometry();
+    const attribute = (values: Float32Array) => new BufferAttribute(values, 3);
+    geometry.setIndex(new BufferAttribute(shape.faces, 1));
+    geometry.setAttribute('position', attribute(shape.position));
+    geometry.setAttribute('normal', attribute(shape.normal));
+    geometry.setAttribute('moved', attribute(shape.position));
+    geometry.setAttribute('movedNormal', attribute(shape.normal));
+    const material = new ShaderMaterial({
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      uniforms: {
+        morph: { value: 0 },
+        checker: { value: 0 },
+        opacity: { value: 1 },
+        grey: { value: 0 },
+      },
+      side: DoubleSide,
+    });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.setColors(new Float32Array(shape.position.length), shape.position);
+  }
+
+  /** `place` is where the checkerboard takes its squares from. */
+  setColors(colors: Float32Array, place: Float32Array): void {
+    this.mesh.geometry.setAttribute('color', new BufferAttribute(colors, 3));
+    this.mesh.geometry.setAttribute('place', new BufferAttribute(place, 3));
+  }
+
+  /** Where `setMorph(1)` takes the vertices. */
+  setMoved(position: Float32Array, normal: Float32Array): void {
+    this.mesh.geometry.setAttribute('moved', new BufferAttribute(position, 3));
+    this.mesh.geometry.setAttribute('movedNormal', new BufferAttribute(normal, 3));
+  }
+
+  setMorph(share: number): void {
+    this.mesh.material.uniforms.morph!.value = share;
+  }
+
+  /** Squares along the longest direction of the target, 0 for none. */
+  setChecker(squares: number): void {
+    this.mesh.material.uniforms.checker!.value = squares;
+  }
+
+  /** Shows it as a grey veil over what else there is. */
+  setGhost(ghost: boolean): void {
+    const { material } = this.mesh;
+    material.uniforms.opacity!.value = ghost ? 0.4 : 1;
+    material.uniforms.grey!.value = ghost ? 1 : 0;
+    material.transparent = ghost;
+    material.depthWrite = !ghost;
+    material.needsUpdate = true;
+    this.mesh.renderOrder = ghost ? 1 : 0;
+  }
+
+  /** Component `k` of vertex `v` as it is shown. */
+  coordinate(v: number, k: number): number {
+    const morph = this.mesh.material.uniforms.morph!.value as number;
+    const at = this.shape.position[3 * v + k]!;
+    if (morph === 0) return at;
+    const moved = this.mesh.geometry.getAttribute('moved').array as Float32Array;
+    return at + morph * (moved[3 * v + k]! - at);
+  }
+
+  normalComponent(v: number, k: number): number {
+    const morph = this.mesh.material.uniforms.morph!.value as number;
+    const at = this.shape.normal[3 * v + k]!;
+    if (morph === 0) return at;
+    const moved = this.mesh.geometry.getAttribute('movedNormal').array as Float32Array;
+    return at + morph * (moved[3 * v + k]! - at);
+  }
+
+  get count(): number {
+    return this.shape.count;
+  }
+}

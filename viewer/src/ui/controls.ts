@@ -1,0 +1,230 @@
+import type { Result } from '../data/result';
+import { statistics } from '../data/statistics';
+import type { Coloring, State, Store } from '../state';
+import { h } from './dom';
+import { number } from './format';
+
+interface ColoringChoice {
+  value: Coloring;
+  name: string;
+  /** How to read it. */
+  help: string;
+}
+
+const COLORINGS: ColoringChoice[] = [
+  {
+    value: 'map',
+    name: 'Map',
+    help: 'Same colour, same place: each point of the source has the colour of the target point it is matched to. A tear shows as a sudden change of colour on the source; a flip as sides, front and back, or head and tail with exchanged colours. Grey has no match.',
+  },
+  {
+    value: 'checker',
+    name: 'Checkerboard',
+    help: 'A checkerboard projected onto the target and carried to the source by the map. Squares that are bent, stretched or broken on the source only are errors of the map or real differences of the shapes.',
+  },
+  {
+    value: 'd_iso',
+    name: 'Distortion',
+    help: 'Isometric distortion d_iso of each vertex: how much its distances along the surface to other matched points differ between the shapes, over the largest distance. Bright is bad.',
+  },
+  {
+    value: 'error',
+    name: 'True error',
+    help: 'Distance along the target from where a vertex lands to where the ground truth says, over √area. Bright is bad.',
+  },
+  {
+    value: 'curvature',
+    name: 'Curvature',
+    help: 'Mean curvature of each shape on its own, times √area: orange bulges out, blue dents in. Matching parts should look alike.',
+  },
+  {
+    value: 'patches',
+    name: 'Patches',
+    help: 'Base vertices (dots) of this level and the patch around each, in the colour of the base that it is matched to.',
+  },
+];
+
+const available = (result: Result, choice: Coloring): boolean =>
+  (choice !== 'error' || result.map(0).error !== null) &&
+  (choice !== 'patches' || result.numLevels > 0);
+
+export const helpOf = (coloring: Coloring): string =>
+  COLORINGS.find(({ value }) => value === coloring)!.help;
+
+function coloringChoice(result: Result, store: Store): HTMLElement {
+  const box = h('fieldset', { class: 'choices' }, h('legend', {}, 'Colours'));
+  for (const { value, name } of COLORINGS.filter((choice) => available(result, choice.value))) {
+    const input = h('input', {
+      type: 'radio',
+      name: 'coloring',
+      value,
+      change: () => store.set({ coloring: value }),
+    });
+    store.listen(({ coloring }) => (input.checked = coloring === value));
+    input.checked = store.state.coloring === value;
+    box.append(h('label', {}, input, h('span', {}, name)));
+  }
+  return box;
+}
+
+type NumberKey = 'map' | 'level' | 'morph' | 'lines';
+
+interface SliderOptions {
+  key: NumberKey;
+  label: string;
+  max: number;
+  step?: number;
+  describe: (value: number) => string;
+  change?: (value: number) => Partial<State>;
+}
+
+function slider(store: Store, options: SliderOptions): HTMLElement {
+  const { key, label, max, step = 1, describe, change } = options;
+  const output = h('output');
+  const input = h('input', { type: 'range', min: 0, max, step, id: key });
+  input.addEventListener('input', () => {
+    const value = Number(input.value);
+    store.set(change ? change(value) : { [key]: value });
+  });
+  const show = (state: Readonly<State>) => {
+    input.value = String(state[key]);
+    output.textContent = describe(state[key]);
+  };
+  store.listen(show);
+  show(store.state);
+  return h('div', { class: 'slider' }, h('label', { for: key }, label), output, input);
+}
+
+function toggle(
+  store: Store,
+  key: 'linked' | 'worstIso' | 'worstTruth',
+  ...label: (Node | string)[]
+): HTMLElement {
+  const input = h('input', { type: 'checkbox', id: key });
+  input.addEventListener('change', () => store.set({ [key]: input.checked }));
+  store.listen((state) => (input.checked = state[key]));
+  input.checked = store.state[key];
+  return h('label', { class: 'toggle' }, input, h('span', {}, ...label));
+}
+
+/** Levels of the paper's method; coarse ones are looked at in patches. */
+function levelSlider(result: Result, store: Store): HTMLElement {
+  const last = result.numLevels - 1;
+  return slider(store, {
+    key: 'level',
+    label: 'Level k, from coarse to fine',
+    max: last,
+    describe: (k) => {
+      const level = result.level(k);
+      const matches = `${number(level.source.length)} matches`;
+      return `${k} of ${last}: ${matches}, D_iso ${number(statistics(level.dIso).mean)}`;
+    },
+    change: (level) => {
+      const { coloring, lines } = store.state;
+      if (level < last && coloring === 'map')
+        return { level, coloring: 'patches', lines: lines || 100 };
+      if (level === last && coloring === 'patches') return { level, coloring: 'map' };
+      return { level };
+    },
+  });
+}
+
+function mapSlider(result: Result, store: Store): HTMLElement {
+  const { map, alternatives = [] } = result.manifest.report;
+  return slider(store, {
+    key: 'map',
+    label: 'Map: the best one and its alternatives',
+    max: result.numMaps - 1,
+    describe: (k) => {
+      const entry = k === 0 ? map : alternatives[k - 1];
+      const energy = entry ? `, energy ${number(entry.energy)}` : '';
+      return (k === 0 ? 'the best' : `alternative ${k}`) + energy;
+    },
+  });
+}
+
+function layoutChoice(store: Store): HTMLElement {
+  const box = h('fieldset', { class: 'choices' }, h('legend', {}, 'View'));
+  for (const [value, name] of [
+    ['pair', 'Side by side'],
+    ['overlay', 'Overlay'],
+  ] as const) {
+    const input = h('input', {
+      type: 'radio',
+      name: 'layout',
+      value,
+      change: () => store.set({ layout: value }),
+    });
+    store.listen(({ layout }) => (input.checked = layout === value));
+    input.checked = store.state.layout === value;
+    box.append(h('label', {}, input, h('span', {}, name)));
+  }
+  return box;
+}
+
+/** Moves the source to the target's pose, or back, in two seconds. */
+function playMorph(store: Store): void {
+  const from = store.state.morph;
+  const to = from < 0.5 ? 1 : 0;
+  const start = performance.now();
+  const DURATION = 2000;
+  const step = (now: number) => {
+    const share = Math.min(1, Math.max(0, (now - start) / DURATION));
+    store.set({ morph: from + (to - from) * share * share * (3 - 2 * share) });
+    if (share < 1) requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+}
+
+function morphControl(result: Result, store: Store): HTMLElement {
+  const bent = slider(store, {
+    key: 'morph',
+    label: 'Bend the source into the target’s pose',
+    max: 1,
+    step: 0.01,
+    describe: (share) => `${Math.round(100 * share)} %`,
+  });
+  bent.append(h('button', { type: 'button', id: 'play', click: () => playMorph(store) }, 'Play'));
+  if (!result.map(0).isRegistered)
+    bent.append(h('small', {}, 'This method does not register: vertices move to their matches.'));
+  return bent;
+}
+
+function lineControls(result: Result, store: Store): HTMLElement {
+  const box = h('fieldset', {}, h('legend', {}, 'Match lines'));
+  box.append(
+    slider(store, {
+      key: 'lines',
+      label: 'Samples',
+      max: 300,
+      step: 10,
+      describe: (count) => (count === 0 ? 'none' : String(count)),
+    }),
+    toggle(store, 'worstIso', h('b', { class: 'red' }, '━ '), 'worst distortion (d_iso)'),
+  );
+  if (result.map(0).error)
+    box.append(
+      toggle(store, 'worstTruth', h('b', { class: 'green' }, '╍ '), 'worst ground-truth error'),
+    );
+  return box;
+}
+
+export function controls(result: Result, store: Store, resetViews: () => void): HTMLElement {
+  const cameras = h(
+    'div',
+    { class: 'row' },
+    toggle(store, 'linked', 'Turn both together'),
+    h('button', { type: 'button', id: 'reset', click: resetViews }, 'Reset view'),
+  );
+  return h(
+    'form',
+    { class: 'controls', 'aria-label': 'What is shown', submit: (e: Event) => e.preventDefault() },
+    coloringChoice(result, store),
+    result.numLevels > 1 && levelSlider(result, store),
+    result.numMaps > 1 && mapSlider(result, store),
+    lineControls(result, store),
+    layoutChoice(store),
+    morphControl(result, store),
+    cameras,
+  );
+}

@@ -1,0 +1,89 @@
+import type { Result } from '../data/result';
+import { statistics } from '../data/statistics';
+import type { Report } from '../data/manifest';
+import { number, percent } from './format';
+
+export interface Remark {
+  kind: 'good' | 'bad' | 'plain';
+  text: string;
+}
+
+function coverage(result: Result): Remark {
+  const { partner } = result.map(0);
+  const matched = partner.filter((t) => t >= 0).length;
+  if (matched === partner.length)
+    return { kind: 'good', text: `Every vertex of the source (${number(matched)}) is matched.` };
+  return {
+    kind: 'bad',
+    text: `${number(partner.length - matched)} of ${number(partner.length)} vertices of the source have no match and are grey.`,
+  };
+}
+
+function choice(report: Report): Remark | null {
+  const { confidence, clear } = report;
+  if (confidence === undefined) return null;
+  if (confidence >= 1) return { kind: 'good', text: 'No other map came into question.' };
+  return clear
+    ? { kind: 'good', text: `The choice among maps was clear (confidence ${number(confidence)}).` }
+    : {
+        kind: 'bad',
+        text: `The choice among maps was close (confidence ${number(confidence)}): another, quite different map is nearly as good. Look for a flip.`,
+      };
+}
+
+function orientation(report: Report): Remark | null {
+  if (report.oriented !== false) return null;
+  return {
+    kind: 'bad',
+    text: 'A mesh does not tell outside from inside, so the map may be a mirror image.',
+  };
+}
+
+function distortion(result: Result): Remark {
+  const { mean, max } = statistics(result.map(0).dIso);
+  return {
+    kind: 'plain',
+    text: `Distances along the surface change by ${percent(mean)} of the shape’s extent on average, ${percent(max)} at the worst vertex (isometric distortion).`,
+  };
+}
+
+function truth(result: Result): Remark | null {
+  const { error } = result.map(0);
+  if (!error) return null;
+  const { mean } = statistics(error);
+  const near = error.filter((e) => e <= 0.05).length / error.filter((e) => !Number.isNaN(e)).length;
+  return {
+    kind: mean < 0.05 ? 'good' : 'bad',
+    text: `Against the ground truth: mean error ${percent(mean)} of √area; ${percent(near)} of the vertices within 5 %.`,
+  };
+}
+
+/** What a person wants to know first, in plain words. */
+export function remarks(result: Result): Remark[] {
+  const { report } = result.manifest;
+  const all = [
+    truth(result),
+    coverage(result),
+    choice(report),
+    orientation(report),
+    distortion(result),
+  ];
+  return all.filter((remark): remark is Remark => remark !== null);
+}
+
+/** What is unusual about the meshes, and about how they are shown. */
+export function warnings(result: Result): string[] {
+  const { report, source, target } = result.manifest;
+  const all: string[] = [];
+  for (const [name, mesh, shown] of [
+    ['Source', report.source, source],
+    ['Target', report.target, target],
+  ] as const) {
+    for (const warning of mesh.warnings ?? []) all.push(`${name}: ${warning}`);
+    if (shown.simplified)
+      all.push(
+        `${name}: simplified for display from ${number(shown.vertices_given)} to ${number(shown.vertices)} vertices. The match itself used all of them.`,
+      );
+  }
+  return all;
+}

@@ -1,0 +1,108 @@
+import { describe, expect, it } from 'vitest';
+import type { Manifest } from '../../src/data/manifest';
+import { sampledLines, worstByIso, worstByTruth } from '../../src/data/matches';
+import { NONE, Result } from '../../src/data/result';
+import type { State } from '../../src/state';
+import { remarks, warnings } from '../../src/ui/summary';
+import { commandLine } from '../../src/ui/numbers';
+import { describePoint } from '../../src/ui/point_panel';
+
+const UNIT = { low: [0, 0, 0], size: [1, 1, 1] } as const;
+const IDENTITY = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/** A triangle mapped to a triangle; the third vertex has no match. */
+function sample(): Result {
+  const shape = { ...UNIT, vertices: 3, faces: 1, vertices_given: 3, area: 0.25, view: IDENTITY };
+  const manifest = {
+    format: 1,
+    folder: 'out',
+    source: { ...shape, simplified: false },
+    target: { ...shape, simplified: true, vertices_given: 300000 },
+    colors: { axes: IDENTITY, low: [0, 0, 0], size: [1, 1, 1] },
+    truth: null,
+    maps: [{ folder: '', image: UNIT, d_iso_max: 0.5, error_max: 2 }],
+    levels: [],
+    arrays: [],
+    report: {
+      command: ['isomatch', 'match', 'my cat.off', 'b.off'],
+      working_folder: '/data',
+      options: { method: 'tracked' },
+      confidence: 0.02,
+      clear: false,
+      source: { file: 'my cat.off', vertices: 3, faces: 1, warnings: ['2 components'] },
+      target: { file: 'b.off', vertices: 300000, faces: 1 },
+    },
+  } as unknown as Manifest;
+  const full = 65535;
+  const arrays: Record<string, number[]> = {
+    'source/position': [0, full, 0, 0, 0, full, 0, 0, 0],
+    'target/position': [0, full, 0, 0, 0, full, 0, 0, 0],
+    'source/numbers': [5, 6, 7],
+    'target/numbers': [50, 60, 70],
+    'source/corner0': [0],
+    'source/corner1': [2],
+    'source/corner2': [4],
+    'target/corner0': [0],
+    'target/corner1': [2],
+    'target/corner2': [4],
+    'maps/0/image': [full, 0, 0, 0, 0, 0, 0, 0, 0],
+    'maps/0/partner': [2, 1, 0],
+    'maps/0/back': [2, 1, 0],
+    'maps/0/d_iso': [65534, 0, full],
+    'maps/0/error': [0, 65534, full],
+  };
+  return new Result(manifest, (name) => Uint32Array.from(arrays[name]!));
+}
+
+const state = { map: 0, level: 0, lines: 9, hovered: null, selected: null } as unknown as State;
+
+describe('a result', () => {
+  it('is decoded', () => {
+    const result = sample();
+    expect([...result.source.faces]).toEqual([0, 1, 2]);
+    // Scaled to unit area and centred.
+    expect([...result.source.position.slice(0, 6)]).toEqual([-1, -1, 0, 1, -1, 0]);
+    const map = result.map(0);
+    expect([...map.partner]).toEqual([1, 0, NONE]);
+    expect([...map.dIso]).toEqual([0.5, 0, NaN]);
+    expect([...map.image.slice(0, 3)]).toEqual([1, -1, 0]);
+    expect(map.isRegistered).toBe(false);
+    expect(result.map(0)).toBe(map);
+  });
+
+  it('has lines where it has matches, and worst ones', () => {
+    const result = sample();
+    expect(sampledLines(result, state)).toEqual([
+      { source: 0, target: 1 },
+      { source: 1, target: 0 },
+    ]);
+    expect(worstByIso(result, state)).toEqual({ source: 0, target: 1 });
+    expect(worstByTruth(result, state)).toEqual({ source: 1, target: 0 });
+  });
+
+  it('is told in words', () => {
+    const result = sample();
+    const bad = remarks(result).filter(({ kind }) => kind === 'bad');
+    expect(bad.map(({ text }) => text).join(' ')).toContain('Look for a flip');
+    expect(bad.map(({ text }) => text).join(' ')).toContain('1 of 3 vertices');
+    expect(warnings(result)).toEqual([
+      'Source: 2 components',
+      'Target: simplified for display from 300,000 to 3 vertices. The match itself used all of them.',
+    ]);
+    expect(commandLine(result)).toBe("cd /data\nisomatch match 'my cat.off' b.off");
+  });
+
+  it('names vertices by the numbers of the files', () => {
+    const at = (side: 'source' | 'target', vertex: number) =>
+      describePoint(sample(), { ...state, hovered: { side, vertex } });
+    expect(at('source', 0)).toBe(
+      'source vertex 5 ↔ target vertex 60  ·  d_iso 0.5  ·  ground-truth error 0 of √area',
+    );
+    expect(at('target', 0)).toContain('target vertex 50 ↔ source vertex 6');
+    expect(at('source', 2)).toBe('source vertex 7 has no match.');
+  });
+});
