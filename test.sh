@@ -65,14 +65,28 @@ run_tests() {
   failed=$((failed + total - run - skipped))
 }
 
+test_viewer() {
+  check "viewer's tests" npm --prefix viewer test || true
+  if [ "$lint" = true ]; then
+    check "viewer's formatting and types" npm --prefix viewer run lint || true
+  fi
+  # Other presets make the program too slow to wait for.
+  [ "$preset" = dev ] || return 0
+  check "browser" scripts/install_packages.sh browser || return 0
+  ISOMATCH_PROGRAM=$PWD/build/$preset/tools/isomatch \
+    check "viewer in a browser" npm --prefix viewer run test:browser || true
+}
+
 sections=(build test)
 [ "$lint" != true ] || sections+=(lint)
 
 check "packages" scripts/install_packages.sh "${sections[@]}" || exit 1
-check "viewer" scripts/build_viewer.sh || true
+viewer=true
+check "viewer" scripts/build_viewer.sh || viewer=false
 check "build" scripts/build.sh "$preset" || exit 1
 if [ "$lint" = true ]; then
   check "formatting" scripts/lint.sh format || true
   check "clang-tidy" scripts/lint.sh tidy "$preset" || true
 fi
 run_tests
+if [ "$viewer" = true ]; then test_viewer; fi
