@@ -70,8 +70,9 @@ function drawSample(
     const color = css(positionColor(place[t]!, place[t + 1]!, place[t + 2]!));
     const points = ends(stage, line);
     const seen = points[0].facing && points[1].facing;
-    const width = lines.length <= 12 ? 2 : 1.2;
-    stroke(context, points, { color, width, alpha: seen ? 0.85 : 0.18 });
+    const few = lines.length <= 40;
+    const hidden = few ? 0.45 : 0.18;
+    stroke(context, points, { color, width: few ? 2 : 1.2, alpha: seen ? 0.85 : hidden });
     const radius = coarse && lines.length < 100 ? 4 : 2.5;
     for (const point of points) dot(context, point, radius, color, point.facing ? 1 : 0.25);
   }

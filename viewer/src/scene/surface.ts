@@ -7,6 +7,7 @@ const VERTEX = `
   attribute vec3 moved;
   attribute vec3 movedNormal;
   uniform float morph;
+  uniform float retreat;
   varying vec3 vColor;
   varying vec3 vPlace;
   varying vec3 vNormal;
@@ -14,7 +15,9 @@ const VERTEX = `
     vColor = color;
     vPlace = place;
     vNormal = normalMatrix * mix(normal, movedNormal, morph);
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(mix(position, moved, morph), 1.0);
+    vec4 seen = modelViewMatrix * vec4(mix(position, moved, morph), 1.0);
+    seen.z -= retreat;
+    gl_Position = projectionMatrix * seen;
   }`;
 
 // The light of tools/picture/canvas.cpp.
@@ -61,6 +64,7 @@ export class Surface {
         checker: { value: 0 },
         opacity: { value: 1 },
         grey: { value: 0 },
+        retreat: { value: 0 },
       },
       side: DoubleSide,
     });
@@ -95,6 +99,8 @@ export class Surface {
     const { material } = this.mesh;
     material.uniforms.opacity!.value = ghost ? 0.4 : 1;
     material.uniforms.grey!.value = ghost ? 1 : 0;
+    // Where surfaces coincide, the other one shows.
+    material.uniforms.retreat!.value = ghost ? 0.012 : 0;
     material.transparent = ghost;
     material.depthWrite = !ghost;
     material.needsUpdate = true;

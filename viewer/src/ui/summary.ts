@@ -53,7 +53,7 @@ function truth(result: Result): Remark | null {
   const { mean } = statistics(error);
   const near = error.filter((e) => e <= 0.05).length / error.filter((e) => !Number.isNaN(e)).length;
   return {
-    kind: mean < 0.05 ? 'good' : 'bad',
+    kind: mean < 0.05 && near > 0.95 ? 'good' : 'bad',
     text: `Against the ground truth: mean error ${percent(mean)} of √area; ${percent(near)} of the vertices within 5 %.`,
   };
 }
