@@ -14,13 +14,13 @@ std::array<Point, 3> opposite_edges(const Mesh& mesh, const Face& face) {
   return {c - b, a - c, b - a};
 }
 
-/// The direction of the gradient of `function` on a face, turned by a right angle about its normal.
-Point turned_direction(const std::array<Point, 3>& edges, const Face& face,
-                       const Eigen::VectorXd& function) {
+/// The gradient of `function` on a face, turned by a right angle about its normal.
+Point turned_gradient(const std::array<Point, 3>& edges, const Face& face,
+                      const Eigen::VectorXd& function) {
   Point turned = Point::Zero();
   for (int k = 0; k < 3; ++k) turned += function[face[k]] * edges[k];
-  const double length = turned.norm();
-  return length > 0 ? Point(turned / length) : Point::Zero();
+  const double twice_area = edges[0].cross(edges[1]).norm();
+  return twice_area > 0 ? Point(turned / twice_area) : Point::Zero();
 }
 
 }  // namespace
@@ -30,10 +30,10 @@ Eigen::MatrixXd orientation_operator(const Mesh& mesh, const Eigen::MatrixXd& ba
   Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(basis.rows(), basis.cols());
   for (const Face& face : mesh.faces) {
     const std::array<Point, 3> edges = opposite_edges(mesh, face);
-    const Point direction = turned_direction(edges, face, function);
+    const Point gradient = turned_gradient(edges, face, function);
     const Point normal = edges[0].cross(edges[1]).normalized();
-    // Along `direction`, times the face's area: the derivative of each corner's hat function.
-    const Point across = direction.cross(normal) / 2;
+    // What a corner's hat function contributes to the derivative along `gradient`, times the area.
+    const Point across = gradient.cross(normal) / 2;
     Eigen::RowVectorXd derivative = Eigen::RowVectorXd::Zero(basis.cols());
     for (int k = 0; k < 3; ++k) derivative += across.dot(edges[k]) * basis.row(face[k]);
     for (int v : face) derivatives.row(v) += derivative / 3;

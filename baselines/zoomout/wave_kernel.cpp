@@ -9,13 +9,13 @@ namespace isomatch::baselines {
 
 Eigen::MatrixXd wave_kernel_signatures(const Eigen::MatrixXd& functions,
                                        const Eigen::VectorXd& values, int energies) {
-  // The authors' range of energies and width of the Gaussian.
-  constexpr double kTop = 1.02, kWidth = 6;
+  // Gaussians of this many steps; energies keep two widths away from the ends of the spectrum.
+  constexpr double kWidth = 7, kMargin = 2;
   const Eigen::Index count = values.size() - 1;
   const Eigen::VectorXd logs = values.tail(count).array().max(1e-6).log();
-  const Eigen::VectorXd steps =
-      Eigen::VectorXd::LinSpaced(energies, logs[0], logs[count - 1] / kTop);
-  const double sigma = kWidth * (steps[energies - 1] - steps[0]) / std::max(1, energies - 1);
+  const double sigma = kWidth * (logs[count - 1] - logs[0]) / energies;
+  const Eigen::VectorXd steps = Eigen::VectorXd::LinSpaced(energies, logs[0] + kMargin * sigma,
+                                                           logs[count - 1] - kMargin * sigma);
   // A column for each energy, normalised to weights that sum to one.
   Eigen::MatrixXd weights(count, energies);
   for (int e = 0; e < energies; ++e) {

@@ -69,6 +69,15 @@ Eigen::MatrixXf functional(const std::vector<int>& points, const Eigen::MatrixXf
   return source.leftCols(size).householderQr().solve(pulled);
 }
 
+/// Of the functional maps after the first one.
+std::vector<int> sizes(const ZoomOutOptions& options) {
+  std::vector<int> all(options.first_rounds, options.first_size);
+  for (int size = options.first_size + options.step; size <= options.last_size;
+       size += options.step)
+    all.push_back(size);
+  return all;
+}
+
 }  // namespace
 
 void ZoomOutOptions::validate() const {
@@ -78,6 +87,7 @@ void ZoomOutOptions::validate() const {
     throw InvalidInput("sizes of functional maps must begin at 2 at least and grow");
   if (signature_functions < first_size || signature_functions > last_size)
     throw InvalidInput("signature_functions must be between first_size and last_size");
+  if (first_rounds < 0) throw InvalidInput("first_rounds must not be negative");
   if (samples < last_size) throw InvalidInput("samples must be at least last_size");
 }
 
@@ -103,8 +113,7 @@ ZoomOutResult match_zoomout(const Shape& source, const Shape& target, const Zoom
   const StageTimer timer(result.times, "upsampling");
   const Eigen::MatrixXf source_samples = sampled(source, on_source.functions, options.samples);
   const Eigen::MatrixXf target_samples = sampled(target, on_target.functions, options.samples);
-  for (int size = options.first_size + options.step; size <= options.last_size;
-       size += options.step) {
+  for (int size : sizes(options)) {
     const std::vector<int> points = pointwise(map, source_samples, target_samples, context);
     map = functional(points, source_samples, target_samples, size);
     context.check_stop();

@@ -14,12 +14,14 @@ namespace isomatch::baselines {
 
 struct ZoomOutOptions {
   /// Eigenfunctions that wave kernel signatures are made of.
-  int signature_functions = 100;
+  int signature_functions = 200;
   /// Energies of the signatures, and of how many of these each one is a descriptor.
   int energies = 100, energy_step = 20;
   FunctionalMapWeights weights;
   /// Size of the first functional map and of the last one, and by how much it grows.
   int first_size = 20, last_size = 200, step = 5;
+  /// Rounds of spectral ICP at the first size (Ovsjanikov et al. 2012).
+  int first_rounds = 10;
   /// Vertices of each shape, evenly spread, between which the map is upsampled.
   int samples = 1000;
 

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The isomatch authors
 """What the tables share: running the program, evaluating a map, statistics, where and on what."""
 
+import csv
 import json
 import pathlib
 import subprocess
@@ -74,6 +75,14 @@ def table_head(columns):
 def write_page(path, text):
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text)
+
+
+def write_csv(path, columns, rows):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(rows)
 
 
 def machine():

@@ -6,6 +6,8 @@ import collections
 import itertools
 import random
 
+from common import truth_options
+
 TOSCA_KINDS = ("cat", "centaur", "dog", "horse", "wolf")
 
 
@@ -19,6 +21,25 @@ class Pair(collections.namedtuple("Pair", "folder ending source target")):
     @property
     def meshes(self):
         return [self.folder / (name + self.ending) for name in (self.source, self.target)]
+
+    @property
+    def truth(self):
+        """Options of the programs for the ground truth."""
+        return truth_options(self.folder, self.source, self.target)
+
+
+class AcrossPair(collections.namedtuple("AcrossPair", "source_mesh target_mesh")):
+    """Shapes of two classes, between which no truth is known."""
+
+    truth = ()
+
+    @property
+    def name(self):
+        return f"{self.source_mesh.stem} {self.target_mesh.stem}"
+
+    @property
+    def meshes(self):
+        return list(self)
 
 
 def shapes(folder, kind=""):
@@ -61,3 +82,54 @@ def pairs_across_classes(data):
     tosca = data / "tosca5k"
     return {"dog_wolf": draw(across(tosca, "dog", "wolf"), 6),
             "wolf_horse": draw(across(tosca, "wolf", "horse"), 6)}
+
+
+def gallop_pairs(data):
+    """Every second frame as source, the frame five later cyclically as target: ten pairs."""
+    frames = [f"horse_{i:02}" for i in range(1, 24, 2)]
+    return [Pair(data / "horse_gallop", ".ply", frames[i], frames[(i + 5) % 12])
+            for i in range(10)]
+
+
+def jumping_pairs(data):
+    frames = [f"jump_{i:03}" for i in (1, 20, 40, 60, 80, 100)]
+    return [Pair(data / "jumping_man", ".ply", frames[i], frames[(i + 2) % 6]) for i in range(6)]
+
+
+def mesh_files(folder, kind=""):
+    names, ending = shapes(folder, kind)
+    return [folder / (name + ending) for name in names]
+
+
+def across_classes(sources, targets, count):
+    return draw([AcrossPair(*both) for both in itertools.product(sources, targets)], count)
+
+
+def dog_wolf_pairs(data):
+    tosca = data / "tosca5k"
+    return across_classes(mesh_files(tosca, "dog"), mesh_files(tosca, "wolf"), 6)
+
+
+def wolf_gallop_pairs(data):
+    return across_classes(mesh_files(data / "tosca5k", "wolf"), mesh_files(data / "horse_gallop"),
+                          6)
+
+
+def person(name):
+    """Which of the people of FAUST a shape is: ten poses each, in order."""
+    return int(name.removeprefix("tr_reg_")) // 10
+
+
+def same_person(pair):
+    return person(pair.source) == person(pair.target)
+
+
+def modern_pairs(data, quick=False):
+    """The pairs that all methods are compared on: of faust5k half within a person, half across."""
+    tosca = [pair for kind in TOSCA_KINDS for pair in within(data / "tosca5k", kind)]
+    people = within(data / "faust5k")
+    one = [pair for pair in people if same_person(pair)]
+    two = [pair for pair in people if not same_person(pair)]
+    tosca_count, people_count = (1, 1) if quick else (15, 10)
+    return {"tosca5k": draw(tosca, tosca_count),
+            "faust5k": draw(one, people_count) + draw(two, people_count)}
