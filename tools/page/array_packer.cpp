@@ -25,7 +25,7 @@ std::string compressed(const std::string& bytes) {
   std::string result(size, '\0');
   const auto* input = reinterpret_cast<const Bytef*>(bytes.data());
   if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, input, bytes.size(),
-                Z_BEST_COMPRESSION) != Z_OK)
+                Z_DEFAULT_COMPRESSION) != Z_OK)
     throw InternalError("zlib cannot compress the data of the page");
   result.resize(size);
   return result;
