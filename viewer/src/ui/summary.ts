@@ -10,12 +10,16 @@ export interface Remark {
 
 function coverage(result: Result): Remark {
   const { partner } = result.map(0);
-  const matched = partner.filter((t) => t >= 0).length;
-  if (matched === partner.length)
-    return { kind: 'good', text: `Every vertex of the source (${number(matched)}) is matched.` };
+  const { report } = result.manifest;
+  // The page may show fewer vertices than there are; the report counts all.
+  const unmatched = report.source_vertices_unmatched ?? partner.filter((t) => t < 0).length;
+  const all =
+    report.source_vertices_unmatched === undefined ? partner.length : report.source.vertices;
+  if (unmatched === 0)
+    return { kind: 'good', text: `Every vertex of the source (${number(all)}) is matched.` };
   return {
     kind: 'bad',
-    text: `${number(partner.length - matched)} of ${number(partner.length)} vertices of the source have no match and are grey.`,
+    text: `${number(unmatched)} of ${number(all)} vertices of the source have no match and are grey.`,
   };
 }
 
