@@ -60,9 +60,9 @@ struct TrackedResult {
   std::vector<TrackedMap> maps;
   /// All hypotheses that were judged, best first.
   std::vector<HypothesisSummary> hypotheses;
-  /// 1 - C1 / C2, C the energy times the cube root of the distortion, of the best
-  /// map and of the best that is really different: near 0 where the choice is ambiguous. 1 if there
-  /// was no other.
+  /// 1 - C1 / C2, C the energy times the distance (see `TrackedMap`) of the best map and of the
+  /// best other one, both half way through refinement: near 0 where the choice is ambiguous. 1 if
+  /// there was no other.
   double confidence = 0;
   /// Whether both surfaces tell outside from inside, so that mirrored maps could be excluded.
   bool oriented = false;
@@ -70,11 +70,12 @@ struct TrackedResult {
 };
 
 /// The tracked method: hypotheses from partial matchings of extremities, grown landmark by landmark
-/// under isometric distortion and orientation; judged by elastic registration; the best refined by
-/// alternating spectral maps (Melzi et al. 2019) and as-rigid-as-possible registration (Sorkine and
-/// Alexa 2007), and carried over to all vertices. Deterministic for any number of threads. Throws
-/// `InvalidInput` if an option is out of range or no hypothesis is found, `Cancelled` if `context`
-/// says so. O(N log N).
+/// under isometric distortion and orientation, with twins by the target's near-symmetries; ranked
+/// by a coarse elastic registration; the best refined by alternating spectral maps (Melzi et al.
+/// 2019) and as-rigid-as-possible registration (Sorkine and Alexa 2007); of these, the one that
+/// fits best refined further and carried over to all vertices. Deterministic for any number of
+/// threads. Throws `InvalidInput` if an option is out of range or no hypothesis is found,
+/// `Cancelled` if `context` says so. O(N log N).
 TrackedResult match_tracked(const Shape& source, const Shape& target,
                             const TrackedOptions& options = {}, const Context& context = {});
 

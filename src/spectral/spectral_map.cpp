@@ -7,23 +7,31 @@
 namespace isomatch::spectral {
 namespace {
 
+/// Rows of `functions`, one for each index.
+Eigen::MatrixXf pulled_back(const Eigen::MatrixXf& functions, const std::vector<int>& rows,
+                            int size) {
+  Eigen::MatrixXf pulled(rows.size(), size);
+  for (std::size_t i = 0; i < rows.size(); ++i) pulled.row(i) = functions.row(rows[i]).head(size);
+  return pulled;
+}
+
 /// Functional map that takes the first `size` target coefficients to source coefficients.
-Eigen::MatrixXf functional_map(const Samples& source, const Eigenbasis& target,
-                               const std::vector<int>& map, int size) {
-  Eigen::MatrixXf pulled(map.size(), size);
-  for (std::size_t i = 0; i < map.size(); ++i)
-    pulled.row(i) = target.functions.row(map[i]).head(size);
-  return source.functions.leftCols(size).transpose() * (source.areas.asDiagonal() * pulled);
+Eigen::MatrixXf functional_map(const Samples& source, const Samples& target,
+                               const Eigenbasis& basis, const TwoWayMap& map, int size) {
+  const Eigen::MatrixXf forth =
+      source.functions.leftCols(size).transpose() *
+      (source.areas.asDiagonal() * pulled_back(basis.functions, map.forth, size));
+  const Eigen::MatrixXf back = pulled_back(source.functions, map.back, size).transpose() *
+                               (target.areas.asDiagonal() * target.functions.leftCols(size));
+  return 0.5F * (forth + back);
 }
 
 /// For each sample the row of `points` that is nearest.
-std::vector<int> nearest_rows(const Eigen::MatrixXf& samples, const Eigen::MatrixXf& points,
-                              const Context& context) {
+std::vector<int> nearest_rows(const Eigen::MatrixXf& samples, const Eigen::MatrixXf& points) {
   constexpr int kBlock = 64;
   const Eigen::VectorXf norms = points.rowwise().squaredNorm();
   const int n = static_cast<int>(samples.rows());
   std::vector<int> map(n);
-#pragma omp parallel for schedule(static) num_threads(context.threads)
   for (int first = 0; first < n; first += kBlock) {
     const int count = std::min(kBlock, n - first);
     Eigen::MatrixXf distances = -2 * points * samples.middleRows(first, count).transpose();
@@ -39,13 +47,13 @@ std::vector<int> nearest_rows(const Eigen::MatrixXf& samples, const Eigen::Matri
 
 }  // namespace
 
-std::vector<int> refine(const Samples& source, const Eigenbasis& target,
-                        const std::vector<int>& map, int size, const Context& context) {
+std::vector<int> refine(const Samples& source, const Samples& target, const Eigenbasis& basis,
+                        const TwoWayMap& map, const Samples& wanted, int size) {
   size = std::min(
-      {size, static_cast<int>(source.functions.cols()), static_cast<int>(target.functions.cols())});
-  const Eigen::MatrixXf c = functional_map(source, target, map, size);
-  return nearest_rows(source.functions.leftCols(size),
-                      target.functions.leftCols(size) * c.transpose(), context);
+      {size, static_cast<int>(wanted.functions.cols()), static_cast<int>(basis.functions.cols())});
+  const Eigen::MatrixXf c = functional_map(source, target, basis, map, size);
+  return nearest_rows(wanted.functions.leftCols(size),
+                      basis.functions.leftCols(size) * c.transpose());
 }
 
 }  // namespace isomatch::spectral

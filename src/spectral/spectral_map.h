@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "isomatch/context.h"
 #include "spectral/eigenbasis.h"
 
 namespace isomatch::spectral {
@@ -15,9 +14,17 @@ struct Samples {
   Eigen::VectorXf areas;
 };
 
-/// One step of ZoomOut (Melzi et al. 2019): from a map, a target vertex a sample, to a functional
-/// map between the first `size` eigenfunctions and back. O(samples * N * size).
-std::vector<int> refine(const Samples& source, const Eigenbasis& target,
-                        const std::vector<int>& map, int size, const Context& context);
+/// A map in both directions between samples and the vertices of the bases.
+struct TwoWayMap {
+  /// For each source sample a vertex of the target's basis, for each target sample a source sample.
+  std::vector<int> forth, back;
+};
+
+/// One step of ZoomOut (Melzi et al. 2019), symmetric in the shapes: from a map of the samples
+/// `source` and `target` to a functional map between the first `size` eigenfunctions, the mean of
+/// those of both directions, and back to vertices of `basis`, one for each of the samples `wanted`
+/// of the source. O(samples * N * size).
+std::vector<int> refine(const Samples& source, const Samples& target, const Eigenbasis& basis,
+                        const TwoWayMap& map, const Samples& wanted, int size);
 
 }  // namespace isomatch::spectral

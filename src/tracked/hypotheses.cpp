@@ -3,8 +3,12 @@
 #include "tracked/hypotheses.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <numeric>
 #include <utility>
+
+#include "tracked/densify.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -21,11 +25,20 @@ float score(const LandmarkMap& map, const GrowthOptions& options) {
   return map.distortion + options.orientation_weight * (1 - map.orientation) / 2;
 }
 
-float mean_distance(const Landmarks& target, const LandmarkMap& a, const LandmarkMap& b) {
+/// Root mean square, which notices when a single limb goes elsewhere.
+float difference(const Landmarks& target, const LandmarkMap& a, const LandmarkMap& b) {
   float sum = 0;
-  for (std::size_t i = 0; i < a.target_of_source.size(); ++i)
-    sum += target.distance(a.target_of_source[i], b.target_of_source[i]);
-  return sum / static_cast<float>(a.target_of_source.size());
+  for (std::size_t i = 0; i < a.target_of_source.size(); ++i) {
+    const float distance = target.distance(a.target_of_source[i], b.target_of_source[i]);
+    sum += distance * distance;
+  }
+  return std::sqrt(sum / static_cast<float>(a.target_of_source.size()));
+}
+
+/// Drops maps that are mirrored in the main, unless all are.
+void drop_mirrored(std::vector<LandmarkMap>& maps) {
+  const auto is_mirrored = [](const LandmarkMap& map) { return map.orientation < 0; };
+  if (!std::ranges::all_of(maps, is_mirrored)) std::erase_if(maps, is_mirrored);
 }
 
 /// Sorts by score, drops maps that are nearly the same as a better one, and keeps the best.
@@ -36,7 +49,7 @@ void select(std::vector<LandmarkMap>& maps, const Landmarks& target, int count,
   std::vector<LandmarkMap> kept;
   for (LandmarkMap& map : maps) {
     const bool known = std::ranges::any_of(kept, [&](const LandmarkMap& other) {
-      return mean_distance(target, map, other) < options.same_distance;
+      return difference(target, map, other) < options.same_difference;
     });
     if (!known) kept.push_back(std::move(map));
     if (static_cast<int>(kept.size()) == count) break;
@@ -100,29 +113,110 @@ void append_spread_nodes(const Proxy& proxy, int count, std::vector<int>& tips) 
     append_new(tips, {i});
 }
 
-std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& target, const Tips& tips,
-                                         const SeedOptions& seeds, const HypothesisOptions& options,
-                                         const Context& context) {
-  std::vector<Correspondence> starts = seed_matchings(
-      source, tips.source, target, tips.target, static_cast<int>(options.landmarks.size()), seeds);
+std::vector<Correspondence> seeds_between(const Proxy& source, const Proxy& target,
+                                          const Tips& tips, const SeedOptions& seeds, int fixed) {
+  std::vector<Correspondence> starts =
+      seed_matchings(source, tips.source, target, tips.target, fixed, seeds);
   for (Correspondence& matches : starts)
     for (Match& match : matches)
       match = {place(tips.source, match.source), place(tips.target, match.target)};
+  return starts;
+}
+
+std::vector<LandmarkMap> grow_in_stages(const std::vector<Correspondence>& seeds,
+                                        const Landmarks& source, const Landmarks& target,
+                                        const HypothesisOptions& options, const Context& context) {
+  std::vector<Correspondence> starts;
+  for (const LandmarkMap& map : grow_all(seeds, source, target, options.coarse, options, context))
+    starts.push_back(first_matches(map));
+  return grow_all(starts, source, target, options.fine, options, context);
+}
+
+Hypothesis between_nodes(const LandmarkMap& map, const Landmarks& source, const Landmarks& target) {
+  Hypothesis hypothesis{{}, {}, map.distortion, map.orientation};
+  for (std::size_t i = 0; i < map.target_of_source.size(); ++i) {
+    hypothesis.source_nodes.push_back(source.node(static_cast<int>(i)));
+    hypothesis.target_nodes.push_back(target.node(map.target_of_source[i]));
+  }
+  return hypothesis;
+}
+
+/// A map of the first landmarks of a shape onto each other, extended to all of them.
+std::vector<int> extended(const LandmarkMap& map, const Landmarks& landmarks, const Proxy& proxy) {
+  const std::vector<int> images =
+      densify(proxy, proxy, between_nodes(map, landmarks, landmarks), proxy.num_nodes());
+  std::vector<int> all(landmarks.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> targets;
+  for (int i = 0; i < landmarks.size(); ++i)
+    targets.push_back(*std::ranges::min_element(all, {}, [&](int k) {
+      return proxy.node_distance(images[landmarks.node(i)], landmarks.node(k));
+    }));
+  return targets;
+}
+
+/// How far landmarks are moved on average.
+float mean_move(const Landmarks& landmarks, const std::vector<int>& targets) {
+  float sum = 0;
+  for (int i = 0; i < landmarks.size(); ++i) sum += landmarks.distance(i, targets[i]);
+  return sum / static_cast<float>(landmarks.size());
+}
+
+/// Maps of a shape onto itself other than the identity, such as that of left to right, mirrored or
+/// not: for each landmark another.
+std::vector<std::vector<int>> near_symmetries(const Proxy& proxy, const Landmarks& landmarks,
+                                              std::vector<int> tips,
+                                              const HypothesisOptions& options,
+                                              const Context& context) {
+  constexpr float kIdentity = 0.1F;
+  HypothesisOptions alone = options;
+  alone.growth.fixed = 0;
+  tips.resize(std::min(tips.size(), static_cast<std::size_t>(options.seeds.max_extremities)));
+  const Tips both{tips, tips};
+  std::vector<std::vector<int>> symmetries;
+  for (const LandmarkMap& map : grow_all(seeds_between(proxy, proxy, both, options.seeds, 0),
+                                         landmarks, landmarks, options.symmetry, alone, context)) {
+    std::vector<int> targets = extended(map, landmarks, proxy);
+    if (mean_move(landmarks, targets) > kIdentity) symmetries.push_back(std::move(targets));
+  }
+  return symmetries;
+}
+
+/// What the best of the maps become when followed by near-symmetries of the target.
+std::vector<LandmarkMap> twins_of(const std::vector<LandmarkMap>& maps,
+                                  const std::vector<std::vector<int>>& symmetries,
+                                  const Landmarks& source, const Landmarks& target,
+                                  const HypothesisOptions& options, const Context& context) {
+  const std::size_t twinned = std::min(maps.size(), static_cast<std::size_t>(options.max_twinned));
+  std::vector<Correspondence> starts;
+  for (const std::vector<int>& symmetry : symmetries) {
+    for (std::size_t k = 0; k < twinned; ++k) {
+      Correspondence twin = first_matches(maps[k]);
+      twin.resize(std::min(twin.size(), static_cast<std::size_t>(options.coarse.source_landmarks)));
+      for (Match& match : twin)
+        if (match.source >= options.growth.fixed) match.target = symmetry[match.target];
+      starts.push_back(std::move(twin));
+    }
+  }
+  return grow_all(starts, source, target, options.fine, options, context);
+}
+
+std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& target, const Tips& tips,
+                                         const SeedOptions& seeds, const HypothesisOptions& options,
+                                         const Context& context) {
   const Landmarks from = landmarks_of(source, tips.source, options.fine.source_landmarks);
   const Landmarks onto = landmarks_of(target, tips.target, options.fine.target_landmarks);
-  const std::vector<LandmarkMap> coarse =
-      grow_all(starts, from, onto, options.coarse, options, context);
-  starts.clear();
-  for (const LandmarkMap& map : coarse) starts.push_back(first_matches(map));
+  std::vector<LandmarkMap> maps = grow_in_stages(
+      seeds_between(source, target, tips, seeds, static_cast<int>(options.landmarks.size())), from,
+      onto, options, context);
+  if (!maps.empty())
+    std::ranges::move(twins_of(maps, near_symmetries(target, onto, tips.target, options, context),
+                               from, onto, options, context),
+                      std::back_inserter(maps));
+  if (options.growth.orientation && source.oriented && target.oriented) drop_mirrored(maps);
+  select(maps, onto, options.fine.max_maps, options);
   std::vector<Hypothesis> hypotheses;
-  for (const LandmarkMap& map : grow_all(starts, from, onto, options.fine, options, context)) {
-    Hypothesis hypothesis{{}, {}, map.distortion, map.orientation};
-    for (int i = 0; i < from.size(); ++i) {
-      hypothesis.source_nodes.push_back(from.node(i));
-      hypothesis.target_nodes.push_back(onto.node(map.target_of_source[i]));
-    }
-    hypotheses.push_back(std::move(hypothesis));
-  }
+  for (const LandmarkMap& map : maps) hypotheses.push_back(between_nodes(map, from, onto));
   return hypotheses;
 }
 

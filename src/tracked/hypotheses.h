@@ -23,8 +23,11 @@ struct HypothesisOptions {
   GrowthOptions growth;
   GrowthStage coarse{40, 200, 48};
   GrowthStage fine{100, 400, 16};
-  /// Maps whose landmarks lie closer than this on average are the same hypothesis.
-  float same_distance = 0.06F;
+  /// Near-symmetries of the target, and hypotheses that they are applied to, at most.
+  GrowthStage symmetry{40, 200, 8};
+  int max_twinned = 4;
+  /// Maps whose landmarks differ by less than this, root mean square, are the same hypothesis.
+  float same_difference = 0.07F;
   /// If extremities give fewer hypotheses than this, evenly spread nodes are matched as well: the
   /// right one may be missing where limbs touch, or where there are none.
   int enough = 4;

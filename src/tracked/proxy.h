@@ -16,8 +16,8 @@ using FloatMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 
 struct ProxyOptions {
   /// Vertices and nodes of the proxy, at most.
-  int vertices = 2500;
-  int nodes = 1000;
+  int vertices = 3000;
+  int nodes = 1200;
 };
 
 /// A surface scaled to unit area and centred, with normals. Faces are turned outwards if

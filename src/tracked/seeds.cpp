@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 namespace isomatch::tracked {
@@ -110,6 +111,24 @@ class SeedSearch {
   int visits_ = 0;
 };
 
+/// The first of `nodes`, then always the one that is farthest from those before, up to `count`.
+std::vector<int> spread(const Proxy& proxy, std::vector<int> nodes, int count) {
+  const auto gap = [&](std::size_t chosen, int node) {
+    float nearest = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < chosen; ++i)
+      nearest = std::min(nearest, proxy.node_distance(nodes[i], node));
+    return nearest;
+  };
+  count = std::min(count, static_cast<int>(nodes.size()));
+  for (int k = 1; k < count; ++k) {
+    const auto next = std::max_element(nodes.begin() + k, nodes.end(),
+                                       [&](int a, int b) { return gap(k, a) < gap(k, b); });
+    std::rotate(nodes.begin() + k, next, next + 1);
+  }
+  nodes.resize(count);
+  return nodes;
+}
+
 }  // namespace
 
 std::vector<int> extremities(const Proxy& proxy, const SeedOptions& options) {
@@ -122,8 +141,7 @@ std::vector<int> extremities(const Proxy& proxy, const SeedOptions& options) {
     if (farthest) tips.push_back(a);
   }
   std::ranges::stable_sort(tips, std::greater(), [&](int a) { return integral[a]; });
-  if (static_cast<int>(tips.size()) > options.max_extremities) tips.resize(options.max_extremities);
-  return tips;
+  return spread(proxy, std::move(tips), options.max_extremities);
 }
 
 std::vector<Correspondence> seed_matchings(const Proxy& source, const std::vector<int>& source_tips,

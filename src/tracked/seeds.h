@@ -15,7 +15,7 @@ struct SeedOptions {
   /// An extremity is farthest from everything within this distance.
   double extremity_radius = 0.1;
   /// Distances between matched extremities differ by at most this much.
-  double max_difference = 0.18;
+  double max_difference = 0.3;
   /// Difference at which a pair of matches neither speaks for nor against a seed.
   double neutral_difference = 0.09;
   int min_matches = 4;
@@ -27,8 +27,9 @@ struct SeedOptions {
   int spread_target_nodes = 60;
 };
 
-/// Nodes at the tips of a shape: local maxima of the integral geodesic distance, in descending
-/// order.
+/// Nodes at the tips of a shape: local maxima of the integral geodesic distance. The first is the
+/// greatest, each further one the farthest from those before, so that tips close together, such as
+/// those of fingers, do not crowd out other limbs.
 std::vector<int> extremities(const Proxy& proxy, const SeedOptions& options);
 
 /// Partial injective matchings between two sets of nodes that roughly keep distances, best first.

@@ -10,6 +10,7 @@
 
 #include "isomatch/error.h"
 #include "tracked/tracker.h"
+#include "tracked/transfer.h"
 
 namespace isomatch {
 namespace {
@@ -61,12 +62,11 @@ SurfacePoint point_at(const Mesh& mesh, const IndexLists& vertex_faces, int vert
   return point;
 }
 
-TrackedMap dense_map(const Finalist& finalist, const Model& target, const TrackerOptions& options,
+TrackedMap dense_map(const Track& track, const Model& target, const TrackerOptions& options,
                      const Context& context) {
-  const Model& source = *finalist.judged.source;
-  const Track& track = finalist.track;
+  const Model& source = *track.judged.source;
   DeformedSurface deformed =
-      transfer(source.shape, source.surface, source.proxy, track.deformation, track.features);
+      transfer(source.shape, source.surface, source.proxy, track.deformation, track.cloud.features);
   bend_to_landmarks(source, target, options.landmarks, deformed);
   const auto& goal = target.surface;
   const elastic::Projection onto_target(goal.mesh, goal.faces, goal.normals, goal.features,
@@ -83,11 +83,11 @@ TrackedMap dense_map(const Finalist& finalist, const Model& target, const Tracke
     map.source_to_target[match.source] =
         point_at(target.shape.surface.mesh, goal.faces, match.target);
   for (const Point& p : deformed.positions) map.registered.push_back(p * goal.scale + goal.centre);
-  map.energy = track.energy;
+  map.energy = track.registration.energy;
   map.distance = track.registration.distance;
   map.deviation = track.registration.deviation;
-  map.distortion = track.distortion;
-  map.orientation = finalist.judged.hypothesis.orientation;
+  map.distortion = track.judged.hypothesis.distortion;
+  map.orientation = track.judged.hypothesis.orientation;
   map.mirrored = source.mirrored;
   return map;
 }
@@ -98,7 +98,7 @@ TrackerOptions tracker_options(const TrackedOptions& options) {
   result.elastic_judging = options.elastic_judging;
   result.hypotheses.growth.orientation = options.orientation;
   result.different_maps = options.alternatives + 1;
-  if (!options.elastic_judging) result.finalists = 1;
+  if (!options.elastic_judging) result.entrants = result.finalists = 1;
   if (!options.refinement) result.rounds = 0;
   return result;
 }
@@ -159,7 +159,7 @@ TrackedResult match_tracked(const Shape& source, const Shape& target, const Trac
     for (std::size_t k = 1; k < models.size(); ++k)
       std::ranges::move(judged_hypotheses(models[k], models[0], tracking, context),
                         std::back_inserter(all));
-    if (models.size() > 2) sort_by_cost(all, tracking);
+    if (models.size() > 2) sort_by_cost(all);
     return all;
   });
   if (judged.empty())
@@ -170,9 +170,9 @@ TrackedResult match_tracked(const Shape& source, const Shape& target, const Trac
       timed("refinement", 0.6, [&] { return run_finals(models[0], judged, tracking, context); });
   result.confidence = finals.confidence;
   timed("dense map", 0.9, [&] {
-    for (const Finalist& finalist : finals.finalists) {
+    for (const Track& track : finals.tracks) {
       if (std::cmp_greater(result.maps.size(), options.alternatives)) break;
-      result.maps.push_back(dense_map(finalist, models[0], tracking, context));
+      result.maps.push_back(dense_map(track, models[0], tracking, context));
     }
   });
   return result;

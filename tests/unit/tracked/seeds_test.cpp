@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <ranges>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -189,7 +191,7 @@ std::vector<double> integrals(const Proxy& proxy) {
   return result;
 }
 
-TEST(Extremities, AreLocalMaximaInDescendingOrder) {
+TEST(Extremities, AreLocalMaximaSpreadApart) {
   SeedOptions options;
   for (const int seed : {1, 2, 3}) {
     const auto& mesh = synthesize({.vertices = 1500, .pose = 1, .seed = std::uint64_t(seed)}).mesh;
@@ -199,8 +201,13 @@ TEST(Extremities, AreLocalMaximaInDescendingOrder) {
     EXPECT_GE(tips.size(), 4);  // Creatures have at least as many limbs.
     EXPECT_LE(std::ssize(tips), options.max_extremities);
     EXPECT_EQ(integral[tips.front()], std::ranges::max(integral));
+    const auto gap = [&](std::size_t i, int node) {
+      return std::ranges::min(std::span(tips).first(i) | std::views::transform([&](int tip) {
+                                return proxy.node_distance(tip, node);
+                              }));
+    };
     for (std::size_t i = 1; i < tips.size(); ++i)
-      EXPECT_GE(integral[tips[i - 1]], integral[tips[i]]);
+      for (std::size_t j = i; j < tips.size(); ++j) EXPECT_GE(gap(i, tips[i]), gap(i, tips[j]));
     for (int tip : tips) {
       for (int node = 0; node < proxy.num_nodes(); ++node) {
         if (proxy.node_distance(tip, node) > options.extremity_radius) continue;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/model.h"
+
+#include <algorithm>
+
+namespace isomatch::tracked {
+namespace {
+
+spectral::Samples samples_at(const Proxy& proxy, const spectral::Eigenbasis& basis,
+                             const elastic::PointCloud& cloud) {
+  spectral::Samples samples;
+  const auto n = static_cast<Eigen::Index>(cloud.areas.size());
+  samples.functions.resize(n, basis.functions.cols());
+  samples.areas.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    samples.functions.row(i) = basis.functions.row(proxy.nodes[i]);
+    samples.areas[i] = static_cast<float>(cloud.areas[i]);
+  }
+  return samples;
+}
+
+Level make_level(const Proxy& proxy, const spectral::Eigenbasis& basis, int nodes) {
+  Level level{node_graph(proxy, nodes), {}};
+  level.samples = samples_at(proxy, basis, level.graph.cloud);
+  return level;
+}
+
+/// Places of all vertices, as the proxy's have them.
+void set_places(Model& model, const Context& context) {
+  std::vector<int> sources;
+  for (int k = 0; k < std::min(elastic::kPlaces, model.proxy.num_nodes()); ++k)
+    sources.push_back(model.proxy.surface_vertex[model.proxy.nodes[k]]);
+  const std::vector<float> fields = geodesic_fields(model.shape.graph, sources, context);
+  const std::size_t n = model.surface.features.size();
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    for (std::size_t v = 0; v < n; ++v)
+      model.surface.features[v].place[k] = fields[k * n + v] / model.surface.scale;
+}
+
+}  // namespace
+
+Model make_model(const Shape& shape, bool mirrored, const TrackerOptions& options,
+                 const Context& context) {
+  Model model{shape, unit_surface(shape, mirrored), {}, {}, {}, {}, {}, mirrored};
+  model.proxy = make_proxy(model.surface, options.proxy, context);
+  set_places(model, context);
+  model.basis = spectral::eigenbasis(model.proxy.mesh, options.last_basis);
+  model.coarse = make_level(model.proxy, model.basis, options.coarse_nodes);
+  model.middle = make_level(model.proxy, model.basis, options.middle_nodes);
+  model.fine = make_level(model.proxy, model.basis, options.proxy.nodes);
+  return model;
+}
+
+int nearest_node(const Model& model, int surface_vertex) {
+  const Point& p = model.surface.mesh.vertices[surface_vertex];
+  const auto& nodes = model.fine.graph.cloud.positions;
+  const auto nearest = std::ranges::min_element(
+      nodes, {}, [&](const Point& node) { return (node - p).squaredNorm(); });
+  return static_cast<int>(nearest - nodes.begin());
+}
+
+std::vector<int> node_vertices(const Proxy& proxy, std::vector<int> nodes) {
+  for (int& node : nodes) node = proxy.nodes[node];
+  return nodes;
+}
+
+std::vector<Point> positions_of(const Mesh& mesh, const std::vector<int>& vertices) {
+  std::vector<Point> positions;
+  for (int v : vertices) positions.push_back(mesh.vertices[v]);
+  return positions;
+}
+
+elastic::Projection projection_onto(const Proxy& proxy, const elastic::ProjectionWeights& weights) {
+  return {proxy.mesh, proxy.faces, proxy.normals, proxy.features, weights};
+}
+
+void set_places(elastic::PointCloud& cloud, const Proxy& target, std::span<const int> vertices) {
+  for (std::size_t i = 0; i < cloud.features.size(); ++i)
+    cloud.features[i].place = target.features[vertices[i]].place;
+}
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "elastic/projection.h"
+#include "isomatch/context.h"
+#include "isomatch/correspondence.h"
+#include "spectral/spectral_map.h"
+#include "tracked/proxy.h"
+#include "tracked/tracker_options.h"
+
+namespace isomatch::tracked {
+
+/// The first so many nodes of a proxy.
+struct Level {
+  NodeGraph graph;
+  spectral::Samples samples;
+
+  int size() const { return static_cast<int>(graph.cloud.areas.size()); }
+};
+
+/// All that is computed of one shape alone.
+struct Model {
+  const Shape& shape;
+  UnitSurface surface;
+  Proxy proxy;
+  spectral::Eigenbasis basis;
+  Level coarse, middle, fine;
+  bool mirrored = false;
+};
+
+/// O(N log N).
+Model make_model(const Shape& shape, bool mirrored, const TrackerOptions& options,
+                 const Context& context);
+
+/// The node that is closest in space.
+int nearest_node(const Model& model, int surface_vertex);
+
+/// Vertices of the proxy and where they are.
+std::vector<int> node_vertices(const Proxy& proxy, std::vector<int> nodes);
+std::vector<Point> positions_of(const Mesh& mesh, const std::vector<int>& vertices);
+
+elastic::Projection projection_onto(const Proxy& proxy, const elastic::ProjectionWeights& weights);
+
+/// Notes on which vertex of the target each point is now.
+void set_places(elastic::PointCloud& cloud, const Proxy& target, std::span<const int> vertices);
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tracked/densify.h"
+
+namespace isomatch::tracked {
+namespace {
+
+/// Where the nodes nearest to landmarks belong, up to their distance from these.
+std::vector<elastic::Pin> landmark_pins(const Model& source, const Model& target, int nodes,
+                                        const Correspondence& landmarks) {
+  std::vector<elastic::Pin> pins;
+  for (const Match& match : landmarks) {
+    const int node = nearest_node(source, match.source);
+    if (node < nodes) pins.push_back({node, target.surface.mesh.vertices[match.target]});
+  }
+  return pins;
+}
+
+/// What one registration hands on to the next: the target vertex nearest to each foot.
+std::vector<int> foot_vertices(const Mesh& mesh, const std::vector<elastic::Foot>& feet) {
+  std::vector<int> vertices;
+  for (const elastic::Foot& foot : feet) {
+    const auto corner = std::ranges::max_element(foot.weights) - foot.weights.begin();
+    vertices.push_back(mesh.faces[foot.face][corner]);
+  }
+  return vertices;
+}
+
+double between(double first, double last, double progress) {
+  return first * std::pow(last / first, progress);
+}
+
+}  // namespace
+
+Tracking::Tracking(const Model& target, const TrackerOptions& options)
+    : target_(target),
+      options_(options),
+      early_surface_(projection_onto(target.proxy, options.early_projection)),
+      late_surface_(projection_onto(target.proxy, options.late_projection)) {}
+
+Track Tracking::begin(const Judged& judged) const {
+  const Model& source = *judged.source;
+  Track track = enter(
+      judged, source.middle, target_.middle,
+      node_vertices(target_.proxy,
+                    densify(source.proxy, target_.proxy, judged.hypothesis, source.middle.size())));
+  advance(track, early_surface_, options_.first_registration);
+  for (int round = 0; round < options_.middle_rounds(); ++round) {
+    track.vertices = spectral_step(track, source.middle, round);
+    run_round(track, round);
+  }
+  return track;
+}
+
+Track Tracking::finish(const Track& middle) const {
+  const Level& fine = middle.judged.source->fine;
+  const int first = options_.middle_rounds();
+  Track track = enter(middle.judged, fine, target_.fine, spectral_step(middle, fine, first));
+  for (int round = first; round < options_.rounds; ++round) {
+    if (round > first) track.vertices = spectral_step(track, fine, round);
+    run_round(track, round);
+  }
+  if (options_.rounds == 0) advance(track, early_surface_, options_.first_registration);
+  return track;
+}
+
+Track Tracking::enter(const Judged& judged, const Level& source, const Level& target,
+                      std::vector<int> vertices) {
+  return {judged,
+          &source,
+          &target,
+          source.graph.cloud,
+          std::move(vertices),
+          {source.graph.cloud.positions, source.graph.neighbours},
+          {}};
+}
+
+/// The map that a spectral step makes of a track, for the nodes of `wanted`.
+std::vector<int> Tracking::spectral_step(const Track& track, const Level& wanted, int round) const {
+  return refine(track.source->samples, track.target->samples, target_.basis,
+                {track.vertices, nearest_nodes(track)}, wanted.samples, basis_size(round));
+}
+
+/// For each target node the nearest node of the deformed source.
+std::vector<int> Tracking::nearest_nodes(const Track& track) const {
+  const elastic::Deformation& deformation = track.deformation;
+  const Mesh points{deformation.positions(), {}};
+  std::vector<Point> normals;
+  for (int i = 0; i < deformation.size(); ++i)
+    normals.push_back(deformation.rotations()[i] * track.cloud.normals[i]);
+  const IndexLists no_faces;
+  const elastic::Projection nodes(points, no_faces, normals, track.cloud.features,
+                                  options_.late_projection);
+  const elastic::PointCloud& target = track.target->graph.cloud;
+  std::vector<int> nearest;
+  for (int i = 0; i < track.target->size(); ++i)
+    nearest.push_back(
+        nodes.nearest_vertex(target.positions[i], target.normals[i], target.features[i]));
+  return nearest;
+}
+
+void Tracking::run_round(Track& track, int round) const {
+  elastic::RegistrationOptions step = options_.alternation;
+  step.first_length = step.last_length =
+      between(step.first_length, step.last_length, progress(round));
+  advance(track, late_surface_, step);
+}
+
+void Tracking::advance(Track& track, const elastic::Projection& onto,
+                       const elastic::RegistrationOptions& step) const {
+  set_places(track.cloud, target_.proxy, track.vertices);
+  track.registration = register_onto(
+      track.cloud, track.deformation, onto, positions_of(target_.proxy.mesh, track.vertices), step,
+      landmark_pins(*track.judged.source, target_, track.source->size(), options_.landmarks));
+  track.vertices = foot_vertices(target_.proxy.mesh, track.registration.feet);
+  set_places(track.cloud, target_.proxy, track.vertices);
+}
+
+double Tracking::progress(int round) const {
+  return static_cast<double>(round) / std::max(1, options_.rounds - 1);
+}
+
+int Tracking::basis_size(int round) const {
+  return static_cast<int>(
+      std::lround(between(options_.first_basis, options_.last_basis, progress(round))));
+}
+
+double difference(const Track& a, const Track& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.cloud.areas.size(); ++i)
+    sum += a.cloud.areas[i] *
+           (a.registration.feet[i].position - b.registration.feet[i].position).squaredNorm();
+  return std::sqrt(sum);
+}
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "tracked/judging.h"
+
+namespace isomatch::tracked {
+
+/// A hypothesis on its way to a map.
+struct Track {
+  Judged judged;
+  /// The level that it is on.
+  const Level* source;
+  const Level* target;
+  /// Nodes of the source, with the places on the target where they are.
+  elastic::PointCloud cloud;
+  /// The target's proxy vertices that are nearest to the nodes.
+  std::vector<int> vertices;
+  elastic::Deformation deformation;
+  elastic::Registration registration;
+
+  /// How badly the surfaces fit, to be compared on one level. The energy of the fine registration
+  /// is large where a map is torn, the distance where it leaves bulges of the target uncovered.
+  double cost() const { return registration.energy * registration.distance; }
+};
+
+/// Carries hypotheses on to maps onto one target. Spectral steps know distances along the surface,
+/// registrations know its shape in space; in turn they correct each other, from smooth to fine.
+class Tracking {
+ public:
+  /// Keeps references.
+  Tracking(const Model& target, const TrackerOptions& options);
+
+  /// The hypothesis after the rounds on the middle level.
+  Track begin(const Judged& judged) const;
+  /// The track after the remaining rounds, on the fine level.
+  Track finish(const Track& middle) const;
+
+ private:
+  static Track enter(const Judged& judged, const Level& source, const Level& target,
+                     std::vector<int> vertices);
+  std::vector<int> spectral_step(const Track& track, const Level& wanted, int round) const;
+  std::vector<int> nearest_nodes(const Track& track) const;
+  void run_round(Track& track, int round) const;
+  void advance(Track& track, const elastic::Projection& onto,
+               const elastic::RegistrationOptions& step) const;
+  double progress(int round) const;
+  int basis_size(int round) const;
+
+  const Model& target_;
+  const TrackerOptions& options_;
+  elastic::Projection early_surface_, late_surface_;
+};
+
+/// Root mean square distance between the images of the nodes, on one level.
+double difference(const Track& a, const Track& b);
+
+}  // namespace isomatch::tracked
