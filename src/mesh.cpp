@@ -47,4 +47,14 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
   return areas;
 }
 
+std::vector<Point> weighted_vertex_normals(const Mesh& mesh) {
+  std::vector<Point> normals(mesh.vertices.size(), Point::Zero());
+  for (const Face& face : mesh.faces) {
+    const Point& p = mesh.vertices[face[0]];
+    const Point normal = (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
+    for (int v : face) normals[v] += normal;
+  }
+  return normals;
+}
+
 }  // namespace isomatch

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "isomatch/error.h"
-#include "nearest_rows.h"
 #include "spectral/eigenvector_order.h"
 #include "spectral/embedding.h"
+#include "spectral/nearest_rows.h"
 #include "spectral/thin_plate.h"
 
 namespace isomatch::baselines {
@@ -16,7 +16,7 @@ namespace {
 
 std::vector<int> nearest(const Eigen::MatrixXd& queries, const Eigen::MatrixXd& points,
                          const Context& context) {
-  return nearest_rows(queries.cast<float>(), points.cast<float>(), context);
+  return isomatch::spectral::nearest_rows(queries.cast<float>(), points.cast<float>(), context);
 }
 
 /// Non-rigid ICP: moves `source` onto `target`.

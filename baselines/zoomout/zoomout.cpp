@@ -11,8 +11,8 @@
 #include <numeric>
 
 #include "isomatch/error.h"
-#include "nearest_rows.h"
 #include "spectral/eigenbasis.h"
+#include "spectral/nearest_rows.h"
 #include "zoomout/wave_kernel.h"
 
 namespace isomatch::baselines {
@@ -58,8 +58,8 @@ Eigen::MatrixXf sampled(const Shape& shape, const Eigen::MatrixXf& functions, in
 /// Target point of each source point under a functional map of target to source functions.
 std::vector<int> pointwise(const Eigen::MatrixXf& map, const Eigen::MatrixXf& source,
                            const Eigen::MatrixXf& target, const Context& context) {
-  return nearest_rows(source.leftCols(map.rows()), target.leftCols(map.cols()) * map.transpose(),
-                      context);
+  return isomatch::spectral::nearest_rows(source.leftCols(map.rows()),
+                                          target.leftCols(map.cols()) * map.transpose(), context);
 }
 
 /// The functional map of target to source functions that a map of points stands for.

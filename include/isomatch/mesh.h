@@ -35,4 +35,8 @@ double surface_area(const Mesh& mesh);
 /// A third of the area of the faces around each vertex: N values that sum to `surface_area`.
 std::vector<double> vertex_areas(const Mesh& mesh);
 
+/// At each vertex the sum of the normals of the faces around it, each as long as twice the area of
+/// its face.
+std::vector<Point> weighted_vertex_normals(const Mesh& mesh);
+
 }  // namespace isomatch

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "spectral/nearest_rows.h"
+
 namespace isomatch::spectral {
 namespace {
 
@@ -26,25 +28,6 @@ Eigen::MatrixXf functional_map(const Samples& source, const Samples& target,
   return 0.5F * (forth + back);
 }
 
-/// For each sample the row of `points` that is nearest.
-std::vector<int> nearest_rows(const Eigen::MatrixXf& samples, const Eigen::MatrixXf& points) {
-  constexpr int kBlock = 64;
-  const Eigen::VectorXf norms = points.rowwise().squaredNorm();
-  const int n = static_cast<int>(samples.rows());
-  std::vector<int> map(n);
-  for (int first = 0; first < n; first += kBlock) {
-    const int count = std::min(kBlock, n - first);
-    Eigen::MatrixXf distances = -2 * points * samples.middleRows(first, count).transpose();
-    distances.colwise() += norms;
-    for (int i = 0; i < count; ++i) {
-      Eigen::Index nearest = 0;
-      distances.col(i).minCoeff(&nearest);
-      map[first + i] = static_cast<int>(nearest);
-    }
-  }
-  return map;
-}
-
 }  // namespace
 
 std::vector<int> refine(const Samples& source, const Samples& target, const Eigenbasis& basis,
@@ -52,8 +35,10 @@ std::vector<int> refine(const Samples& source, const Samples& target, const Eige
   size = std::min(
       {size, static_cast<int>(wanted.functions.cols()), static_cast<int>(basis.functions.cols())});
   const Eigen::MatrixXf c = functional_map(source, target, basis, map, size);
+  Context alone;
+  alone.threads = 1;
   return nearest_rows(wanted.functions.leftCols(size),
-                      basis.functions.leftCols(size) * c.transpose());
+                      basis.functions.leftCols(size) * c.transpose(), alone);
 }
 
 }  // namespace isomatch::spectral

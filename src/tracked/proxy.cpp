@@ -50,13 +50,8 @@ void take_vertices(const Mesh& mesh, const std::vector<Index>& corners, Proxy& p
   }
 }
 
-std::vector<Point> vertex_normals(const Mesh& mesh) {
-  std::vector<Point> normals(mesh.vertices.size(), Point::Zero());
-  for (const Face& face : mesh.faces) {
-    const Point& p = mesh.vertices[face[0]];
-    const Point normal = (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
-    for (int v : face) normals[v] += normal;
-  }
+std::vector<Point> unit_normals(const Mesh& mesh) {
+  std::vector<Point> normals = weighted_vertex_normals(mesh);
   for (Point& normal : normals) normal.normalize();
   return normals;
 }
@@ -108,7 +103,7 @@ UnitSurface unit_surface(const Shape& shape, bool mirrored) {
     surface.turned[f] = (*signs)[f] < 0;
     if (surface.turned[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
   }
-  surface.normals = vertex_normals(mesh);
+  surface.normals = unit_normals(mesh);
   for (const auto& relief : relief(mesh, surface.normals)) surface.features.push_back({relief, {}});
   return surface;
 }
@@ -149,7 +144,7 @@ Proxy make_proxy(const UnitSurface& surface, const ProxyOptions& options, const 
   take_vertices(surface.mesh, simplified(surface.mesh, options.vertices), proxy);
   for (int v : proxy.surface_vertex) proxy.features.push_back(surface.features[v]);
   proxy.faces = vertex_faces(proxy.mesh);
-  proxy.normals = vertex_normals(proxy.mesh);
+  proxy.normals = unit_normals(proxy.mesh);
   const GeodesicGraph graph(proxy.mesh, {}, context);
   proxy.nodes = spread_nodes(graph, options.nodes);
   measure_distances(graph, proxy, context);

@@ -45,14 +45,10 @@ Tracking::Tracking(const Model& target, const TrackerOptions& options)
       late_surface_(projection_onto(target.proxy, options.late_projection)) {}
 
 Track Tracking::begin(const Judged& judged) const {
-  const Model& source = *judged.source;
-  Track track = enter(
-      judged, source.middle, target_.middle,
-      node_vertices(target_.proxy,
-                    densify(source.proxy, target_.proxy, judged.hypothesis, source.middle.size())));
-  advance(track, early_surface_, options_.first_registration);
+  const Level& middle = judged.source->middle;
+  Track track = registered(judged, middle, target_.middle);
   for (int round = 0; round < options_.middle_rounds(); ++round) {
-    track.vertices = spectral_step(track, source.middle, round);
+    track.vertices = spectral_step(track, middle, round);
     run_round(track, round);
   }
   return track;
@@ -60,13 +56,23 @@ Track Tracking::begin(const Judged& judged) const {
 
 Track Tracking::finish(const Track& middle) const {
   const Level& fine = middle.judged.source->fine;
+  if (options_.rounds == 0) return registered(middle.judged, fine, target_.fine);
   const int first = options_.middle_rounds();
   Track track = enter(middle.judged, fine, target_.fine, spectral_step(middle, fine, first));
-  for (int round = first; round < options_.rounds; ++round) {
-    if (round > first) track.vertices = spectral_step(track, fine, round);
+  run_round(track, first);
+  for (int round = first + 1; round < options_.rounds; ++round) {
+    track.vertices = spectral_step(track, fine, round);
     run_round(track, round);
   }
-  if (options_.rounds == 0) advance(track, early_surface_, options_.first_registration);
+  return track;
+}
+
+/// The hypothesis after a first registration.
+Track Tracking::registered(const Judged& judged, const Level& source, const Level& target) const {
+  Track track = enter(judged, source, target,
+                      node_vertices(target_.proxy, densify(judged.source->proxy, target_.proxy,
+                                                           judged.hypothesis, source.size())));
+  advance(track, early_surface_, options_.first_registration);
   return track;
 }
 

@@ -41,6 +41,7 @@ class Tracking {
  private:
   static Track enter(const Judged& judged, const Level& source, const Level& target,
                      std::vector<int> vertices);
+  Track registered(const Judged& judged, const Level& source, const Level& target) const;
   std::vector<int> spectral_step(const Track& track, const Level& wanted, int round) const;
   std::vector<int> nearest_nodes(const Track& track) const;
   void run_round(Track& track, int round) const;

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <algorithm>
-
 #include "elastic/registration.h"
 #include "isomatch/correspondence.h"
 #include "tracked/hypotheses.h"
@@ -44,8 +42,8 @@ struct TrackerOptions {
                                            .surface_steps = 1,
                                            .iterations = 3};
 
-  /// Those of the rounds that run on the middle level.
-  int middle_rounds() const { return std::min(4, rounds); }
+  /// Those of the rounds that run on the middle level, a third.
+  int middle_rounds() const { return rounds / 3; }
 };
 
 }  // namespace isomatch::tracked

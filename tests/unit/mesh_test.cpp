@@ -78,5 +78,12 @@ TEST(Mesh, VertexAreaIsAThirdOfTheFacesAround) {
   EXPECT_DOUBLE_EQ(vertex_areas(test::sheet(2, 2))[0], 2.0 / 8 / 3);
 }
 
+TEST(Mesh, WeightedVertexNormalsAreTwiceTheFacesAround) {
+  const Mesh triangle{{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {5, 5, 5}}, {{0, 1, 2}}};
+  const std::vector<Point> normals = weighted_vertex_normals(triangle);
+  for (int v = 0; v < 3; ++v) EXPECT_EQ(normals[v], Point(0, 0, 6));
+  EXPECT_EQ(normals[3], Point(0, 0, 0));
+}
+
 }  // namespace
 }  // namespace isomatch

@@ -15,16 +15,6 @@ namespace {
 /// Samples a pixel in each direction.
 constexpr int kSamples = 3;
 
-std::vector<Point> vertex_normals(const Mesh& mesh) {
-  std::vector<Point> normals(mesh.vertices.size(), Point::Zero());
-  for (const Face& face : mesh.faces) {
-    const Point& p = mesh.vertices[face[0]];
-    const Point normal = (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
-    for (int v : face) normals[v] += normal;
-  }
-  return normals;
-}
-
 /// Light that a surface of this normal (in the viewer's frame, either way round) sends back: much
 /// of it from all around, so that colours stay comparable, the rest from the upper left.
 float shade(Eigen::Vector3f normal) {
@@ -68,7 +58,7 @@ Canvas::Canvas(int width, int height, const Color& background) : width_(width), 
 void Canvas::draw(const Mesh& mesh, std::span<const Color> colors, const Projection& projection) {
   if (colors.size() != mesh.vertices.size())
     throw InvalidInput("drawing needs a colour for every vertex");
-  const std::vector<Point> normals = vertex_normals(mesh);
+  const std::vector<Point> normals = weighted_vertex_normals(mesh);
   std::vector<Corner> corners(mesh.vertices.size());
   for (std::size_t v = 0; v < corners.size(); ++v) {
     const Point seen = projection.rotation * (mesh.vertices[v] - projection.focus);

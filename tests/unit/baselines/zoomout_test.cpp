@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "isomatch/error.h"
-#include "nearest_rows.h"
 #include "pairs.h"
 #include "support/context.h"
 #include "support/shapes.h"
@@ -81,17 +80,6 @@ TEST(WaveKernel, OfConstantSquaresIsConstant) {
   const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(30, 0, 100);
   const Eigen::MatrixXd signatures = wave_kernel_signatures(functions, values, 10);
   EXPECT_LT((signatures.array() - 4).abs().maxCoeff(), 1e-9);
-}
-
-TEST(NearestRows, AreThoseOfBruteForce) {
-  const Eigen::MatrixXf queries = Eigen::MatrixXf::Random(150, 7);
-  const Eigen::MatrixXf points = Eigen::MatrixXf::Random(80, 7);
-  const std::vector<int> nearest = nearest_rows(queries, points, test::with_threads(2));
-  for (int i = 0; i < queries.rows(); ++i) {
-    Eigen::Index expected = 0;
-    (points.rowwise() - queries.row(i)).rowwise().squaredNorm().minCoeff(&expected);
-    EXPECT_EQ(nearest[i], expected);
-  }
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "nearest_rows.h"
+#include "spectral/nearest_rows.h"
 
 #include <algorithm>
 
-namespace isomatch::baselines {
+namespace isomatch::spectral {
 
 std::vector<int> nearest_rows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& points,
                               const Context& context) {
@@ -26,4 +26,4 @@ std::vector<int> nearest_rows(const Eigen::MatrixXf& queries, const Eigen::Matri
   return nearest;
 }
 
-}  // namespace isomatch::baselines
+}  // namespace isomatch::spectral
