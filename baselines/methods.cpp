@@ -48,12 +48,12 @@ MethodResult run_paper(const Shape& source, const Shape& target, const Context& 
 }
 
 MethodResult run_tracked(const Shape& source, const Shape& target, const Context& context) {
-  const TrackedResult result = match_tracked(source, target, {}, context);
+  const TrackedResult result = match_tracked(source.surface, target.surface, {}, context);
   const TrackedMap& best = result.maps.front();
   const Correspondence nearest =
       to_correspondence(nearest_vertices(target.surface.mesh, best.source_to_target));
   return {{{kFinalMap, nearest, best.source_to_target},
-           {kManyToMany, matches(source, target, best), {}}},
+           {kManyToMany, matches(source.surface, target.surface, best), {}}},
           {},
           result.times};
 }

@@ -50,7 +50,9 @@ void measure_edges(const Mesh& mesh, MeshDiagnosis& diagnosis) {
 }
 
 void inspect_surface(const Surface& surface, MeshDiagnosis& diagnosis) {
-  diagnosis.surface = connectivity(surface.mesh);
+  const bool is_given =
+      surface.joined_edges == 0 && surface.mesh.num_faces() == diagnosis.given.faces;
+  diagnosis.surface = is_given ? diagnosis.given : connectivity(surface.mesh);
   diagnosis.components = surface.components;
   diagnosis.joined_edges = surface.joined_edges;
   diagnosis.matchable_vertices =
@@ -105,10 +107,11 @@ std::string border_warning(const Connectivity& surface) {
 
 }  // namespace
 
-MeshDiagnosis diagnose(const Mesh& mesh) {
+Inspection inspect(const Mesh& mesh) {
   validate(mesh);
   SoundMesh sound = sound_mesh(mesh);
-  MeshDiagnosis diagnosis;
+  Inspection inspection;
+  MeshDiagnosis& diagnosis = inspection.diagnosis;
   diagnosis.vertices = mesh.num_vertices();
   diagnosis.faces = mesh.num_faces();
   diagnosis.area = surface_area(mesh);
@@ -117,9 +120,13 @@ MeshDiagnosis diagnose(const Mesh& mesh) {
   diagnosis.unreferenced_vertices = count_unreferenced(mesh);
   diagnosis.duplicate_vertices = count_duplicate_vertices(sound);
   diagnosis.given = connectivity(sound.mesh);
-  if (!sound.mesh.faces.empty()) inspect_surface(largest_surface(std::move(sound)), diagnosis);
-  return diagnosis;
+  if (sound.mesh.faces.empty()) return inspection;
+  inspection.surface = largest_surface(std::move(sound));
+  inspect_surface(*inspection.surface, diagnosis);
+  return inspection;
 }
+
+MeshDiagnosis diagnose(const Mesh& mesh) { return inspect(mesh).diagnosis; }
 
 std::vector<std::string> MeshDiagnosis::warnings() const {
   if (surface.faces == 0) return {"no face has an area: there is nothing to match"};

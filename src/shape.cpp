@@ -5,7 +5,10 @@
 namespace isomatch {
 
 Shape prepare_shape(const Mesh& input, const GeodesicOptions& options, const Context& context) {
-  Surface surface = extract_surface(input);
+  return prepare_shape(extract_surface(input), options, context);
+}
+
+Shape prepare_shape(Surface surface, const GeodesicOptions& options, const Context& context) {
   GeodesicGraph graph(surface.mesh, options, context);
   std::vector<double> areas = vertex_areas(surface.mesh);
   const double max_geodesic = geodesic_diameter(graph, context);

@@ -90,8 +90,8 @@ struct Prepared {
 Prepared prepare(const Pair& pair, const Context& context) {
   const Mesh source = read_mesh(pair.source), target = read_mesh(pair.target);
   const auto start = std::chrono::steady_clock::now();
-  Shape source_shape = cli::prepare_loaded(pair.source, source, {}, context);
-  Shape target_shape = cli::prepare_loaded(pair.target, target, {}, context);
+  Shape source_shape = cli::prepare_loaded(pair.source, source, context);
+  Shape target_shape = cli::prepare_loaded(pair.target, target, context);
   return {std::move(source_shape), std::move(target_shape), seconds_since(start)};
 }
 

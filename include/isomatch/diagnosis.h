@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "isomatch/connectivity.h"
 #include "isomatch/mesh.h"
+#include "isomatch/surface.h"
 
 namespace isomatch {
 
@@ -45,8 +47,17 @@ struct MeshDiagnosis {
   std::vector<std::string> warnings() const;
 };
 
-/// Inspects `mesh`. Agrees with `extract_surface`, which it uses. Throws `InvalidInput` if `mesh`
-/// fails `validate`. O(N log N).
+/// A mesh's diagnosis and its surface, none if no face has an area.
+struct Inspection {
+  MeshDiagnosis diagnosis;
+  std::optional<Surface> surface;
+};
+
+/// Inspects `mesh` and does what `extract_surface` does, in little more time. Throws `InvalidInput`
+/// if `mesh` fails `validate`. O(N log N).
+Inspection inspect(const Mesh& mesh);
+
+/// The diagnosis alone.
 MeshDiagnosis diagnose(const Mesh& mesh);
 
 }  // namespace isomatch

@@ -28,4 +28,8 @@ struct Shape {
 Shape prepare_shape(const Mesh& input, const GeodesicOptions& options = {},
                     const Context& context = {});
 
+/// Likewise of a surface that is extracted already.
+Shape prepare_shape(Surface surface, const GeodesicOptions& options = {},
+                    const Context& context = {});
+
 }  // namespace isomatch

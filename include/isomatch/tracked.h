@@ -6,8 +6,8 @@
 
 #include "isomatch/context.h"
 #include "isomatch/correspondence.h"
-#include "isomatch/shape.h"
 #include "isomatch/stage_times.h"
+#include "isomatch/surface.h"
 #include "isomatch/surface_map.h"
 
 namespace isomatch {
@@ -76,11 +76,11 @@ struct TrackedResult {
 /// fits best refined further and carried over to all vertices. Deterministic for any number of
 /// threads. Throws `InvalidInput` if an option is out of range or no hypothesis is found,
 /// `Cancelled` if `context` says so. O(N log N).
-TrackedResult match_tracked(const Shape& source, const Shape& target,
+TrackedResult match_tracked(const Surface& source, const Surface& target,
                             const TrackedOptions& options = {}, const Context& context = {});
 
 /// A many-to-many relation in which every vertex of both surfaces occurs: `source_to_target` at its
 /// nearest vertices, and the nearest source of each target vertex that it does not hit.
-Correspondence matches(const Shape& source, const Shape& target, const TrackedMap& map);
+Correspondence matches(const Surface& source, const Surface& target, const TrackedMap& map);
 
 }  // namespace isomatch

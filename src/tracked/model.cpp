@@ -26,26 +26,33 @@ Level make_level(const Proxy& proxy, const spectral::Eigenbasis& basis, int node
   return level;
 }
 
-/// Places of all vertices, as the proxy's have them.
-void set_places(Model& model, const Context& context) {
-  std::vector<int> sources;
-  for (int k = 0; k < std::min(elastic::kPlaces, model.proxy.num_nodes()); ++k)
-    sources.push_back(model.proxy.surface_vertex[model.proxy.nodes[k]]);
-  const std::vector<float> fields = geodesic_fields(model.shape.graph, sources, context);
-  const std::size_t n = model.surface.features.size();
-  for (std::size_t k = 0; k < sources.size(); ++k)
-    for (std::size_t v = 0; v < n; ++v)
-      model.surface.features[v].place[k] = fields[k * n + v] / model.surface.scale;
+/// The vertices of the detail from which places are measured, as the proxy has them.
+std::vector<int> place_vertices(const Proxy& proxy) {
+  std::vector<int> vertices;
+  for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_nodes()); ++k)
+    vertices.push_back(proxy.detail_vertex[proxy.nodes[k]]);
+  return vertices;
 }
 
 }  // namespace
 
-Model make_model(const Shape& shape, bool mirrored, const TrackerOptions& options,
+Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& options,
                  const Context& context) {
-  Model model{shape, unit_surface(shape, mirrored), {}, {}, {}, {}, {}, mirrored};
-  model.proxy = make_proxy(model.surface, options.proxy, context);
-  set_places(model, context);
-  model.basis = spectral::eigenbasis(model.proxy.mesh, options.last_basis);
+  UnitSurface unit = unit_surface(surface, mirrored);
+  Detail detail = make_detail(unit, options.detail_vertices, context);
+  Proxy proxy = make_proxy(detail, unit.oriented, options.proxy, context);
+  set_places(detail, place_vertices(proxy), context);
+  Attachment attachment = attach(unit, detail, context);
+  spectral::Eigenbasis basis = spectral::eigenbasis(proxy.mesh, options.last_basis);
+  Model model{std::move(unit),
+              std::move(detail),
+              std::move(attachment),
+              std::move(proxy),
+              std::move(basis),
+              {},
+              {},
+              {},
+              mirrored};
   model.coarse = make_level(model.proxy, model.basis, options.coarse_nodes);
   model.middle = make_level(model.proxy, model.basis, options.middle_nodes);
   model.fine = make_level(model.proxy, model.basis, options.proxy.nodes);

@@ -8,6 +8,7 @@
 #include "isomatch/context.h"
 #include "isomatch/correspondence.h"
 #include "spectral/spectral_map.h"
+#include "tracked/detail.h"
 #include "tracked/proxy.h"
 #include "tracked/tracker_options.h"
 
@@ -23,8 +24,9 @@ struct Level {
 
 /// All that is computed of one shape alone.
 struct Model {
-  const Shape& shape;
   UnitSurface surface;
+  Detail detail;
+  Attachment attachment;
   Proxy proxy;
   spectral::Eigenbasis basis;
   Level coarse, middle, fine;
@@ -32,7 +34,7 @@ struct Model {
 };
 
 /// O(N log N).
-Model make_model(const Shape& shape, bool mirrored, const TrackerOptions& options,
+Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& options,
                  const Context& context);
 
 /// The node that is closest in space.

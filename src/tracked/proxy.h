@@ -7,8 +7,8 @@
 
 #include "elastic/registration.h"
 #include "isomatch/context.h"
-#include "isomatch/shape.h"
 #include "isomatch/topology.h"
+#include "tracked/detail.h"
 
 namespace isomatch::tracked {
 
@@ -20,34 +20,13 @@ struct ProxyOptions {
   int nodes = 1200;
 };
 
-/// A surface scaled to unit area and centred, with normals. Faces are turned outwards if
-/// `oriented`.
-struct UnitSurface {
-  Mesh mesh;
-  /// Coordinates of the shape are `scale` times those of `mesh` plus `centre`.
-  double scale = 1;
-  Point centre{0, 0, 0};
-  IndexLists faces;
-  /// Whether it is known which side is outside.
-  bool oriented = false;
-  /// For each face whether its corners 1 and 2 were exchanged to turn it outwards.
-  std::vector<bool> turned;
-  /// Area-weighted unit normals of the vertices.
-  std::vector<Point> normals;
-  /// Of the vertices; places refer to the first nodes of the proxy.
-  std::vector<elastic::Features> features;
-};
-
-/// `mirrored` reflects the coordinates first.
-UnitSurface unit_surface(const Shape& shape, bool mirrored = false);
-
 /// A simplified copy of a surface, scaled to unit area, on which everything global is computed, and
 /// nodes spread evenly over it. Nodes come in farthest point order, so the first k of them are
 /// evenly spread as well.
 struct Proxy {
-  /// Its vertices are a subset of the surface's. Faces are turned outwards if `oriented`.
+  /// Its vertices are a subset of the detail's. Faces are turned outwards if `oriented`.
   Mesh mesh;
-  std::vector<int> surface_vertex;
+  std::vector<int> detail_vertex;
   IndexLists faces;
   /// Whether it is known which side is outside.
   bool oriented = false;
@@ -77,7 +56,8 @@ struct NodeGraph {
 /// O(count * vertices).
 NodeGraph node_graph(const Proxy& proxy, int count);
 
-/// O(N log N + nodes * vertices log vertices).
-Proxy make_proxy(const UnitSurface& surface, const ProxyOptions& options, const Context& context);
+/// `oriented` as the surface is. O(N log N + nodes * vertices log vertices).
+Proxy make_proxy(const Detail& detail, bool oriented, const ProxyOptions& options,
+                 const Context& context);
 
 }  // namespace isomatch::tracked

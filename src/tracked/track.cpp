@@ -96,18 +96,15 @@ std::vector<int> Tracking::spectral_step(const Track& track, const Level& wanted
 /// For each target node the nearest node of the deformed source.
 std::vector<int> Tracking::nearest_nodes(const Track& track) const {
   const elastic::Deformation& deformation = track.deformation;
-  const Mesh points{deformation.positions(), {}};
   std::vector<Point> normals;
   for (int i = 0; i < deformation.size(); ++i)
     normals.push_back(deformation.rotations()[i] * track.cloud.normals[i]);
-  const IndexLists no_faces;
-  const elastic::Projection nodes(points, no_faces, normals, track.cloud.features,
-                                  options_.late_projection);
+  const elastic::NearestPoint nearest_source(deformation.positions(), normals, track.cloud.features,
+                                             options_.late_projection);
   const elastic::PointCloud& target = track.target->graph.cloud;
   std::vector<int> nearest;
   for (int i = 0; i < track.target->size(); ++i)
-    nearest.push_back(
-        nodes.nearest_vertex(target.positions[i], target.normals[i], target.features[i]));
+    nearest.push_back(nearest_source(target.positions[i], target.normals[i], target.features[i]));
   return nearest;
 }
 

@@ -10,6 +10,8 @@
 namespace isomatch::tracked {
 
 struct TrackerOptions {
+  /// Of the copies of finer surfaces on which fields are computed, at most.
+  int detail_vertices = 40000;
   ProxyOptions proxy;
   HypothesisOptions hypotheses;
   /// Nodes of the levels; the finest has those of the proxy.

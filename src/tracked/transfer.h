@@ -5,21 +5,17 @@
 #include <vector>
 
 #include "elastic/deformation.h"
-#include "tracked/proxy.h"
+#include "elastic/nearest_point.h"
+#include "isomatch/context.h"
+#include "tracked/model.h"
 
 namespace isomatch::tracked {
 
-/// A deformed surface: positions and normals of its vertices, their relief at rest, and the places
-/// on the target where they went.
-struct DeformedSurface {
-  std::vector<Point> positions, normals;
-  std::vector<elastic::Features> features;
-};
-
-/// Carries a deformation of the nodes of `proxy`, and where they went, over to all vertices of
-/// `surface`. O(N log N).
-DeformedSurface transfer(const Shape& shape, const UnitSurface& surface, const Proxy& proxy,
-                         const elastic::Deformation& deformation,
-                         const std::vector<elastic::Features>& node_features);
+/// Carries a deformation of the first nodes of a model, and the places where they went, over to all
+/// vertices of its surface: their positions and normals then, their relief at rest, and where they
+/// went. O(N log N).
+elastic::Cloud transfer(const Model& model, const elastic::Deformation& deformation,
+                        const std::vector<elastic::Features>& node_features,
+                        const Context& context);
 
 }  // namespace isomatch::tracked

@@ -46,7 +46,8 @@ TEST_F(TrackedPair, RegisteredSourceLiesOnItsPoints) {
 
 TEST_F(TrackedPair, AlternativesAreOtherMaps) {
   ASSERT_EQ(plain_->result.maps.size(), 1);
-  const TrackedResult result = match_tracked(source_, target_, test::with_alternatives(3));
+  const TrackedResult result =
+      match_tracked(source_.surface, target_.surface, test::with_alternatives(3));
   test::expect_sound(result, source_, target_);
   ASSERT_GE(result.maps.size(), 2);
   ASSERT_LE(result.maps.size(), 4);
@@ -63,13 +64,13 @@ TEST_F(TrackedPair, MirrorImageIsFoundIfReflectionIsAllowed) {
   options.allow_reflection = true;
   // Nothing is nearer to the mirror image of a bent shape than what it is the image of.
   const Shape image = prepare_shape(test::mirrored(pair_.source));
-  const TrackedResult result = match_tracked(source_, image, options);
+  const TrackedResult result = match_tracked(source_.surface, image.surface, options);
   test::expect_sound(result, source_, image);
   EXPECT_TRUE(result.maps.front().mirrored);
   const std::vector<Point> points =
       test::input_places(source_, image, result.maps.front().source_to_target);
   EXPECT_LT(test::mean_distance(points, test::mirrored(pair_.source).vertices), 1e-3);
-  EXPECT_FALSE(match_tracked(source_, target_, options).maps.front().mirrored);
+  EXPECT_FALSE(match_tracked(source_.surface, target_.surface, options).maps.front().mirrored);
 }
 
 TEST_F(TrackedPair, LandmarksAreMatchedExactly) {
@@ -80,7 +81,7 @@ TEST_F(TrackedPair, LandmarksAreMatchedExactly) {
   for (const int point : {100, 1500, 4000})
     options.landmarks.push_back(
         {vertex(source_, pair_.source_truth[point]), vertex(target_, pair_.target_truth[point])});
-  const TrackedResult result = match_tracked(source_, target_, options);
+  const TrackedResult result = match_tracked(source_.surface, target_.surface, options);
   test::expect_sound(result, source_, target_);
   EXPECT_LT(test::errors(pair_, source_, target_, result).direct, 0.025);
   const TrackedMap& map = result.maps.front();
@@ -94,7 +95,7 @@ TEST_F(TrackedPair, BadLandmarksAreRejected) {
   const auto expect_rejected = [&](const Correspondence& landmarks) {
     TrackedOptions options;
     options.landmarks = landmarks;
-    EXPECT_THROW(match_tracked(source_, target_, options), InvalidInput);
+    EXPECT_THROW(match_tracked(source_.surface, target_.surface, options), InvalidInput);
   };
   expect_rejected({{-1, 0}});
   expect_rejected({{0, -1}});
@@ -108,7 +109,7 @@ TEST_F(TrackedPair, PartsOfTheMethodMayBeLeftOut) {
                                      &TrackedOptions::refinement}) {
     TrackedOptions options;
     options.*part = false;
-    const TrackedResult result = match_tracked(source_, target_, options);
+    const TrackedResult result = match_tracked(source_.surface, target_.surface, options);
     test::expect_sound(result, source_, target_);
     EXPECT_LT(test::errors(pair_, source_, target_, result).direct, 0.06);
   }
@@ -118,7 +119,7 @@ TEST_F(TrackedPair, ProgressRises) {
   Context context;
   std::vector<double> fractions;
   context.progress = [&](double fraction, std::string_view) { fractions.push_back(fraction); };
-  match_tracked(source_, target_, {}, context);
+  match_tracked(source_.surface, target_.surface, {}, context);
   ASSERT_FALSE(fractions.empty());
   EXPECT_TRUE(std::ranges::is_sorted(fractions));
   EXPECT_GE(fractions.front(), 0);
@@ -132,7 +133,7 @@ TEST_F(TrackedPair, StopsOnTheWayWhenAsked) {
   context.progress = [&](double fraction, std::string_view) {
     if (fraction > 0.3) stop.request_stop();
   };
-  EXPECT_THROW(match_tracked(source_, target_, {}, context), Cancelled);
+  EXPECT_THROW(match_tracked(source_.surface, target_.surface, {}, context), Cancelled);
 }
 
 TEST(Tracked, MatchesACreatureToItself) {
@@ -152,7 +153,7 @@ TEST(Tracked, StopsWhenAsked) {
   stop.request_stop();
   Context context;
   context.stop = stop.get_token();
-  EXPECT_THROW(match_tracked(sphere, sphere, {}, context), Cancelled);
+  EXPECT_THROW(match_tracked(sphere.surface, sphere.surface, {}, context), Cancelled);
 }
 
 TEST(TrackedOptions, OutOfRangeAreRejected) {
@@ -160,7 +161,7 @@ TEST(TrackedOptions, OutOfRangeAreRejected) {
   const Shape sphere = prepare_shape(test::icosphere(1));
   const TrackedOptions options = test::with_alternatives(-1);
   EXPECT_THROW(options.validate(), InvalidInput);
-  EXPECT_THROW(match_tracked(sphere, sphere, options), InvalidInput);
+  EXPECT_THROW(match_tracked(sphere.surface, sphere.surface, options), InvalidInput);
 }
 
 struct RealPair {

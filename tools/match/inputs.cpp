@@ -2,18 +2,16 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "match/inputs.h"
 
+#include <array>
 #include <filesystem>
+#include <future>
+#include <utility>
 
 #include "isomatch/error.h"
 #include "load.h"
 
 namespace isomatch::cli {
 namespace {
-
-GeodesicOptions geodesic_options(const std::string& name) {
-  if (name == "edges") return GeodesicOptions::edges();
-  return name == "w10" ? GeodesicOptions::w10() : GeodesicOptions::w20();
-}
 
 /// Fails now rather than after the work if the results will have no place.
 void check_folder(const std::string& folder) {
@@ -28,35 +26,42 @@ void check_folder(const std::string& folder) {
   }
 }
 
-template <class Work>
-auto timed(std::vector<StageTime>& times, std::string_view stage, const Work& work) {
-  const StageTimer timer(times, stage);
-  return work();
+MatchInput read(const std::string& path) {
+  MatchInput input{path, {}, {}, {}, {}};
+  input.mesh = read_mesh(path, &input.read_report);
+  return input;
 }
 
-MatchInput load(const std::string& path, const GeodesicOptions& geodesics, const Context& context,
-                std::vector<StageTime>& times) {
-  MeshReadReport read_report;
-  Mesh mesh = timed(times, "reading", [&] { return read_mesh(path, &read_report); });
-  context.check_stop();
-  MeshDiagnosis diagnosis = timed(times, "diagnosis", [&] { return diagnose(mesh); });
-  Shape shape = timed(times, "geodesic graph",
-                      [&] { return prepare_loaded(path, mesh, geodesics, context); });
-  return {path, std::move(mesh), read_report, diagnosis, std::move(shape)};
+void inspect_input(MatchInput& input) {
+  Inspection inspection = inspected(input.path, input.mesh);
+  input.diagnosis = inspection.diagnosis;
+  input.surface = std::move(*inspection.surface);
+}
+
+/// Does `work` for the source and the target, whose errors come second.
+template <class Work>
+void for_both(const Context& context, const Work& work) {
+  const auto policy = context.threads > 1 ? std::launch::async : std::launch::deferred;
+  std::future<void> target = std::async(policy, [&] { work(1); });
+  work(0);
+  target.get();
 }
 
 }  // namespace
 
 MatchInputs load_inputs(const MatchArguments& arguments, const Context& context) {
   check_folder(arguments.folder);
-  const GeodesicOptions geodesics = geodesic_options(arguments.geodesics);
-  std::vector<StageTime> times;
-  context.report(0, "reading");
-  MatchInput source = load(arguments.source, geodesics, context, times);
-  context.report(kLoaded / 2, "reading");
-  MatchInput target = load(arguments.target, geodesics, context, times);
-  return {arguments.words, std::filesystem::current_path().string(), std::move(source),
-          std::move(target), std::move(times)};
+  MatchInputs inputs{arguments.words, std::filesystem::current_path().string(), {}, {}, {}};
+  const std::array both{&inputs.source, &inputs.target};
+  const std::array paths{arguments.source, arguments.target};
+  const auto timed = [&](std::string_view stage, double begun, const auto& work) {
+    context.report(begun, stage);
+    const StageTimer timer(inputs.times, stage);
+    for_both(context, work);
+  };
+  timed("reading", 0, [&](int side) { *both[side] = read(paths[side]); });
+  timed("diagnosis", kLoaded / 4, [&](int side) { inspect_input(*both[side]); });
+  return inputs;
 }
 
 std::vector<std::vector<int>> input_vertices(const Surface& surface) {

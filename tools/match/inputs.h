@@ -7,7 +7,6 @@
 
 #include "isomatch/diagnosis.h"
 #include "isomatch/mesh_io.h"
-#include "isomatch/shape.h"
 #include "isomatch/stage_times.h"
 #include "match/method.h"
 
@@ -18,7 +17,7 @@ struct MatchInput {
   Mesh mesh;
   MeshReadReport read_report;
   MeshDiagnosis diagnosis;
-  Shape shape;
+  Surface surface;
 };
 
 struct MatchInputs {
@@ -29,8 +28,8 @@ struct MatchInputs {
   std::vector<StageTime> times;
 };
 
-/// Checks that the results will have a place, then reads and prepares both meshes. Reports progress
-/// up to `kLoaded`. Throws `BadFile`.
+/// Checks that the results will have a place, then reads and inspects both meshes, at the same time
+/// if there are threads. Reports progress up to `kLoaded`. Throws `BadFile`.
 MatchInputs load_inputs(const MatchArguments& arguments, const Context& context);
 
 /// Input vertices of each surface vertex: several where a seam was joined.

@@ -60,11 +60,6 @@ void add_common_options(CLI::App& command, MatchCommand& match) {
       ->check(CLI::IsMember({"tracked", "paper"}))
       ->capture_default_str();
   command
-      .add_option("--geodesics", arguments.geodesics,
-                  "w20 and w10: straight lines across triangles; edges: as in the paper")
-      ->check(CLI::IsMember({"w20", "w10", "edges"}))
-      ->capture_default_str();
-  command
       .add_option("--seed", arguments.seed,
                   "Seed of random choices, of which neither method makes any")
       ->capture_default_str();

@@ -16,7 +16,6 @@ struct MatchArguments {
   std::string source, target, folder;
   /// The command line, for the report.
   std::vector<std::string> words;
-  std::string geodesics = "w20";
   unsigned long seed = 0;
   bool quiet = false;
 };

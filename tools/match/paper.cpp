@@ -12,10 +12,21 @@
 namespace isomatch::cli {
 namespace {
 
-Json paper_options_json(const MatchArguments& arguments, const PaperOptions& options) {
+struct PaperArguments {
+  PaperOptions options;
+  std::string geodesics = "w20";
+};
+
+GeodesicOptions geodesic_options(const std::string& name) {
+  if (name == "edges") return GeodesicOptions::edges();
+  return name == "w10" ? GeodesicOptions::w10() : GeodesicOptions::w20();
+}
+
+Json paper_options_json(const MatchArguments& arguments, const PaperArguments& paper) {
   Json json = options_json(arguments, "paper");
+  json["geodesics"] = paper.geodesics;
   for_each_paper_option(
-      options, [&](const char* name, const auto& value, const char*) { json[name] = value; });
+      paper.options, [&](const char* name, const auto& value, const char*) { json[name] = value; });
   return json;
 }
 
@@ -27,13 +38,21 @@ void print_summary(const PaperRun& run, const std::string& folder) {
   print_closing(run.inputs, folder);
 }
 
-void run_paper(const MatchArguments& arguments, const PaperOptions& options,
+void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
                const Context& context) {
-  options.validate();
+  paper.options.validate();
   MatchInputs inputs = load_inputs(arguments, context);
-  PaperResult result =
-      match_paper(inputs.source.shape, inputs.target.shape, options, matching_part(context));
-  const PaperRun run{std::move(inputs), paper_options_json(arguments, options), std::move(result)};
+  const auto prepared = [&](const MatchInput& input) {
+    context.report(kLoaded / 2, "geodesic graph");
+    const StageTimer timer(inputs.times, "geodesic graph");
+    return prepare_shape(input.surface, geodesic_options(paper.geodesics), context);
+  };
+  const Shape source = prepared(inputs.source), target = prepared(inputs.target);
+  PaperResult result = match_paper(source, target, paper.options, matching_part(context));
+  const PaperRun run{std::move(inputs),
+                     paper_options_json(arguments, paper),
+                     std::move(result),
+                     {source.max_geodesic, target.max_geodesic}};
   context.report(kMatched, "writing");
   write_paper(arguments.folder, run);
   if (!arguments.quiet) print_summary(run, arguments.folder);
@@ -42,12 +61,18 @@ void run_paper(const MatchArguments& arguments, const PaperOptions& options,
 }  // namespace
 
 Method add_paper_method(CLI::App& command, const std::string& group) {
-  const auto options = std::make_shared<PaperOptions>();
-  for_each_paper_option(*options, [&](const char* name, auto& value, const char* help) {
+  const auto paper = std::make_shared<PaperArguments>();
+  command
+      .add_option("--geodesics", paper->geodesics,
+                  "w20 and w10: straight lines across triangles; edges: as in the paper")
+      ->check(CLI::IsMember({"w20", "w10", "edges"}))
+      ->group(group)
+      ->capture_default_str();
+  for_each_paper_option(paper->options, [&](const char* name, auto& value, const char* help) {
     command.add_option(fmt::format("--{}", name), value, help)->group(group)->capture_default_str();
   });
-  return [options](const MatchArguments& arguments, const Context& context) {
-    run_paper(arguments, *options, context);
+  return [paper](const MatchArguments& arguments, const Context& context) {
+    run_paper(arguments, *paper, context);
   };
 }
 

@@ -37,8 +37,8 @@ class InputNumbers {
  public:
   explicit InputNumbers(const PaperRun& run)
       : run_(run),
-        source_(input_vertices(run.inputs.source.shape.surface)),
-        target_(input_vertices(run.inputs.target.shape.surface)) {}
+        source_(input_vertices(run.inputs.source.surface)),
+        target_(input_vertices(run.inputs.target.surface)) {}
 
   MeasuredMatches translate(const Correspondence& matches,
                             const std::vector<double>& distortion) const {
@@ -93,6 +93,8 @@ Json levels_json(const PaperResult& result) {
 Json report_json(const PaperRun& run) {
   const PaperLevel& last = run.result.levels.back();
   Json report = report_head(run.inputs, run.options);
+  report["source"]["max_geodesic"] = run.max_geodesics[0];
+  report["target"]["max_geodesic"] = run.max_geodesics[1];
   report.update({{"levels", run.result.levels.size()},
                  {"complete", run.result.complete},
                  {"matches", last.matches.size()},

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "isomatch/paper.h"
@@ -15,6 +16,8 @@ struct PaperRun {
   MatchInputs inputs;
   Json options;
   PaperResult result;
+  /// Of source and target, over which distortions are given.
+  std::array<double, 2> max_geodesics;
 };
 
 /// Writes into the folder `path` (see `ResultFolder`), in the numbers of the input files:

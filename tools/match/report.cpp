@@ -13,8 +13,7 @@ namespace {
 Json input_json(const MatchInput& input) {
   Json json{{"file", input.path},
             {"triangulated_polygons", input.read_report.triangulated_polygons},
-            {"merged_vertices", input.read_report.merged_vertices},
-            {"max_geodesic", input.shape.max_geodesic}};
+            {"merged_vertices", input.read_report.merged_vertices}};
   json.update(to_json(input.diagnosis));
   return json;
 }
@@ -45,7 +44,7 @@ Json report_tail(const std::vector<StageTime>& loading, const std::vector<StageT
 }
 
 Json options_json(const MatchArguments& arguments, const std::string& method) {
-  return {{"method", method}, {"geodesics", arguments.geodesics}, {"seed", arguments.seed}};
+  return {{"method", method}, {"seed", arguments.seed}};
 }
 
 void print_closing(const MatchInputs& inputs, const std::string& folder) {

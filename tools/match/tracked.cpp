@@ -32,8 +32,8 @@ void check_on_surface(const std::string& file, const char* side, const Surface& 
 
 /// The landmarks in `file` as pairs of surface vertices.
 Correspondence load_landmarks(const std::string& file, const MatchInputs& inputs) {
-  const Surface& source = inputs.source.shape.surface;
-  const Surface& target = inputs.target.shape.surface;
+  const Surface& source = inputs.source.surface;
+  const Surface& target = inputs.target.surface;
   const std::vector<Match> pairs =
       read_landmarks(file, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()});
   for (const Match& pair : pairs) {
@@ -88,8 +88,8 @@ void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
   MatchInputs inputs = load_inputs(arguments, context);
   if (!tracked.landmarks.empty())
     tracked.options.landmarks = load_landmarks(tracked.landmarks, inputs);
-  TrackedResult result = match_tracked(inputs.source.shape, inputs.target.shape, tracked.options,
-                                       matching_part(context));
+  TrackedResult result = match_tracked(inputs.source.surface, inputs.target.surface,
+                                       tracked.options, matching_part(context));
   const TrackedRun run{std::move(inputs), tracked_options_json(arguments, tracked),
                        std::move(result), tracked.target_to_source};
   context.report(kMatched, "writing");

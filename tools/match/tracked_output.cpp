@@ -15,7 +15,7 @@ namespace isomatch::cli {
 namespace {
 
 SurfaceMap input_points(const MatchInput& from, const MatchInput& onto, const SurfaceMap& map) {
-  return input_map(from.shape.surface, onto.shape.surface, map);
+  return input_map(from.surface, onto.surface, map);
 }
 
 int count_points(const SurfaceMap& map) {
@@ -41,14 +41,14 @@ void write_map(ResultFolder& folder, const std::string& place, const TrackedRun&
     write_points(folder, place + "target_to_source", source,
                  input_points(target, source, map.target_to_source));
   write_mesh(folder.add(place + "registered.ply"),
-             input_pose(source.mesh, source.shape.surface, map.registered));
+             input_pose(source.mesh, source.surface, map.registered));
 }
 
 Correspondence input_matches(const MatchInputs& inputs, const TrackedMap& map) {
-  const auto sources = input_vertices(inputs.source.shape.surface);
-  const auto targets = input_vertices(inputs.target.shape.surface);
+  const auto sources = input_vertices(inputs.source.surface);
+  const auto targets = input_vertices(inputs.target.surface);
   Correspondence result;
-  for (const Match& match : matches(inputs.source.shape, inputs.target.shape, map)) {
+  for (const Match& match : matches(inputs.source.surface, inputs.target.surface, map)) {
     for (int s : sources[match.source])
       for (int t : targets[match.target]) result.push_back({s, t});
   }

@@ -103,8 +103,8 @@ std::vector<MapMeasures> measure_maps(const MatchResult& result,
   std::vector<MapMeasures> measures(result.maps.size());
   if (!levels.empty()) measures.front().d_iso = d_iso_of_levels(result, levels.back());
   if (!levels.empty() && !has_truth) return measures;
-  const Shapes shapes{prepare_loaded(result.source_path, result.source, {}, context),
-                      prepare_loaded(result.target_path, result.target, {}, context)};
+  const Shapes shapes{prepare_loaded(result.source_path, result.source, context),
+                      prepare_loaded(result.target_path, result.target, context)};
   const GroundTruth truth = has_truth ? load_truth(result, shapes, files) : GroundTruth{};
   for (std::size_t k = 0; k < measures.size(); ++k) {
     context.report(0.1 + 0.8 * static_cast<double>(k) / static_cast<double>(measures.size()),

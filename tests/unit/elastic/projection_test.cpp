@@ -86,8 +86,9 @@ int plain_nearest_vertex(const Target& target, const Query& query) {
   return nearest;
 }
 
-int nearest_vertex(const Projection& projection, const Query& query) {
-  return projection.nearest_vertex(query.position, query.normal, query.features);
+int nearest_vertex(const Target& target, const Query& query) {
+  const NearestPoint nearest(target.mesh.vertices, target.normals, target.features, target.weights);
+  return nearest(query.position, query.normal, query.features);
 }
 
 Foot foot(const Projection& projection, const Query& query) {
@@ -146,7 +147,7 @@ TEST(Projection, IsThatOfBruteForce) {
     for (int trial = 0; trial < 300; ++trial) {
       const Query query{random.uniform(0, 2) * random.direction(), random.direction(),
                         random_features(random)};
-      const int vertex = nearest_vertex(projection, query);
+      const int vertex = nearest_vertex(target, query);
       EXPECT_EQ(vertex, plain_nearest_vertex(target, query));
       const Foot result = foot(projection, query);
       expect_consistent(target, result);
@@ -160,7 +161,7 @@ TEST(Projection, OfPointsOnTheSurfaceIsThemselves) {
   const Target target(test::rough_sphere(2, 0.1, 3));
   const Projection projection = target.projection();
   for (int v = 0; v < target.mesh.num_vertices(); ++v) {
-    EXPECT_EQ(nearest_vertex(projection, target.vertex(v)), v);
+    EXPECT_EQ(nearest_vertex(target, target.vertex(v)), v);
     const Foot result = foot(projection, target.vertex(v));
     expect_consistent(target, result);
     EXPECT_LT((result.position - target.mesh.vertices[v]).norm(), 1e-12);

@@ -42,7 +42,7 @@ struct Cloud {
 std::vector<Point> images(const Cloud& cloud, const Prepared& source, const Prepared& target) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < cloud.graph.cloud.positions.size(); ++i) {
-    const int vertex = source.proxy.surface_vertex[source.proxy.nodes[i]];
+    const int vertex = source.proxy.detail_vertex[source.proxy.nodes[i]];
     const int input = source.shape.surface.input_vertex[vertex];
     points.push_back(target.surface.mesh.vertices[target.shape.surface.surface_vertex[input]]);
   }

@@ -101,7 +101,7 @@ class GrowthTest : public testing::Test {
 
   static int input_vertex(const Prepared& prepared, int node) {
     return prepared.shape.surface
-        .input_vertex[prepared.proxy.surface_vertex[prepared.proxy.nodes[node]]];
+        .input_vertex[prepared.proxy.detail_vertex[prepared.proxy.nodes[node]]];
   }
 
   const Mesh mesh_ = synthesize({.vertices = 1000, .pose = 3}).mesh;

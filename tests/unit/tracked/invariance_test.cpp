@@ -20,9 +20,8 @@ using TrackedInvariance = test::CreaturePair;
 TEST_F(TrackedInvariance, ThreadsChangeNothing) {
   const auto matched = [&](int threads) {
     const Context context = test::with_threads(threads);
-    return match_tracked(prepare_shape(pair_.source, {}, context),
-                         prepare_shape(pair_.target, {}, context), test::with_alternatives(1),
-                         context);
+    return match_tracked(extract_surface(pair_.source), extract_surface(pair_.target),
+                         test::with_alternatives(1), context);
   };
   const TrackedResult one = matched(1), three = matched(3);
   ASSERT_EQ(one.maps.size(), three.maps.size());
@@ -89,7 +88,7 @@ TEST_F(TrackedInvariance, FacesTurnedOverDoNotMatter) {
   const Shape target = prepare_shape(turned(pair_.target));
   for (const auto& [from, onto] :
        {std::pair{&source_, &target}, {&source, &target_}, {&source, &target}}) {
-    const TrackedResult result = match_tracked(*from, *onto);
+    const TrackedResult result = match_tracked(from->surface, onto->surface);
     test::expect_sound(result, *from, *onto);
     const TrackedMap& map = result.maps.front();
     EXPECT_LT(test::mean_distance(test::input_places(*from, *onto, map.source_to_target),
@@ -117,7 +116,7 @@ TEST_F(TrackedInvariance, SaysWhenASurfaceHasNoOutside) {
   for (Face& face : turned.faces)
     if (random.uniform() < 0.5) std::swap(face[0], face[1]);
   const Shape source = prepare_shape(turned);
-  const TrackedResult result = match_tracked(source, target_);
+  const TrackedResult result = match_tracked(source.surface, target_.surface);
   EXPECT_FALSE(result.oriented);
   test::expect_sound(result, source, target_);
 }

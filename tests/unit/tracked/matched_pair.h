@@ -54,7 +54,7 @@ inline void expect_sound(const TrackedResult& result, const Shape& source, const
   for (const TrackedMap& map : result.maps) {
     expect_whole(map.source_to_target, source, target);
     expect_whole(map.target_to_source, target, source);
-    expect_covering(matches(source, target, map), source, target);
+    expect_covering(matches(source.surface, target.surface, map), source, target);
     ASSERT_EQ(map.registered.size(), source.num_vertices());
     for (const Point& p : map.registered) EXPECT_TRUE(p.allFinite());
     for (const double figure : {map.energy, map.distance, map.deviation, map.distortion}) {
@@ -121,7 +121,7 @@ inline Errors errors(const TruePair& pair, const Shape& source, const Shape& tar
 /// Matches a pair, checks the result and measures its errors.
 inline Errors matched_errors(const TruePair& pair) {
   const Shape source = prepare_shape(pair.source), target = prepare_shape(pair.target);
-  const TrackedResult result = match_tracked(source, target);
+  const TrackedResult result = match_tracked(source.surface, target.surface);
   expect_sound(result, source, target);
   EXPECT_TRUE(result.oriented);
   return errors(pair, source, target, result);
@@ -144,7 +144,7 @@ class CreaturePair : public testing::Test {
         : pair(std::move(creatures)),
           source(prepare_shape(pair.source)),
           target(prepare_shape(pair.target)),
-          result(match_tracked(source, target)) {}
+          result(match_tracked(source.surface, target.surface)) {}
 
     TruePair pair;
     Shape source, target;

@@ -18,14 +18,14 @@ namespace {
 void expect_map_or_refusal(const Mesh& a, const Mesh& b) {
   const Shape source = prepare_shape(a), target = prepare_shape(b);
   try {
-    test::expect_sound(match_tracked(source, target), source, target);
+    test::expect_sound(match_tracked(source.surface, target.surface), source, target);
   } catch (const InvalidInput&) {
   }
 }
 
 TEST(Tracked, IsNotConfidentOfAShapeThatTurnsIntoItself) {
   const Shape sphere = prepare_shape(test::icosphere(2));
-  const TrackedResult result = match_tracked(sphere, sphere);
+  const TrackedResult result = match_tracked(sphere.surface, sphere.surface);
   test::expect_sound(result, sphere, sphere);
   EXPECT_LT(result.confidence, 0.1);
 }

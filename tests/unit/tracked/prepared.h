@@ -7,16 +7,18 @@
 
 namespace isomatch::test {
 
-/// A shape as the tracked method prepares it.
+/// A shape as the tracked method prepares it, with all vertices in the detail.
 struct Prepared {
   explicit Prepared(const Mesh& mesh, const tracked::ProxyOptions& options = {},
                     const Context& context = {})
       : shape(prepare_shape(mesh, {}, context)),
-        surface(tracked::unit_surface(shape)),
-        proxy(tracked::make_proxy(surface, options, context)) {}
+        surface(tracked::unit_surface(shape.surface)),
+        detail(tracked::make_detail(surface, shape.num_vertices(), context)),
+        proxy(tracked::make_proxy(detail, surface.oriented, options, context)) {}
 
   Shape shape;
   tracked::UnitSurface surface;
+  tracked::Detail detail;
   tracked::Proxy proxy;
 };
 

@@ -35,16 +35,16 @@ const Mesh& creature() {
 
 /// That the vertices are the surface's, scaled and moved, and their numbers in range and distinct.
 void expect_subset(const Prepared& prepared) {
-  const auto& [shape, surface, proxy] = prepared;
-  ASSERT_EQ(proxy.surface_vertex.size(), proxy.mesh.vertices.size());
-  EXPECT_EQ(std::set<int>(proxy.surface_vertex.begin(), proxy.surface_vertex.end()).size(),
+  const auto& [shape, surface, detail, proxy] = prepared;
+  ASSERT_EQ(proxy.detail_vertex.size(), proxy.mesh.vertices.size());
+  EXPECT_EQ(std::set<int>(proxy.detail_vertex.begin(), proxy.detail_vertex.end()).size(),
             proxy.mesh.vertices.size());
   const double scale = std::sqrt(shape.surface.area);
   const auto& original = shape.surface.mesh.vertices;
   for (int v = 0; v < proxy.num_vertices(); ++v) {
-    ASSERT_LT(proxy.surface_vertex[v], shape.num_vertices());
+    ASSERT_LT(proxy.detail_vertex[v], shape.num_vertices());
     const Point offset = scale * (proxy.mesh.vertices[v] - proxy.mesh.vertices[0]);
-    const Point expected = original[proxy.surface_vertex[v]] - original[proxy.surface_vertex[0]];
+    const Point expected = original[proxy.detail_vertex[v]] - original[proxy.detail_vertex[0]];
     EXPECT_LT((offset - expected).norm(), 1e-9 * scale);
   }
 }
@@ -164,33 +164,6 @@ TEST(Proxy, NormalsFaceOutwardsHoweverFacesAreTurned) {
   }
 }
 
-TEST(UnitSurface, HasUnitAreaAndTheWayBack) {
-  const Prepared prepared(test::rough_sphere(2, 0.2, 1));
-  const UnitSurface& surface = prepared.surface;
-  EXPECT_NEAR(surface_area(surface.mesh), 1, 1e-12);
-  EXPECT_TRUE(surface.oriented);
-  for (int v = 0; v < prepared.shape.num_vertices(); ++v) {
-    const Point back = surface.scale * surface.mesh.vertices[v] + surface.centre;
-    EXPECT_LT((back - prepared.shape.surface.mesh.vertices[v]).norm(), 1e-12);
-    EXPECT_GT(surface.normals[v].dot(back), 0);
-  }
-}
-
-TEST(UnitSurface, KnowsWhichFacesItTurned) {
-  Mesh spotted = test::icosphere(3);
-  for (int f = 0; f < spotted.num_faces(); f += 10)
-    std::swap(spotted.faces[f][0], spotted.faces[f][1]);
-  const Shape shape = prepare_shape(spotted);
-  const UnitSurface surface = unit_surface(shape), mirrored = unit_surface(shape, true);
-  for (int f = 0; f < spotted.num_faces(); ++f) {
-    Face face = shape.surface.mesh.faces[f];
-    EXPECT_EQ(surface.turned[f], shape.surface.input_face[f] % 10 == 0);
-    EXPECT_NE(mirrored.turned[f], surface.turned[f]);
-    if (surface.turned[f]) std::swap(face[1], face[2]);
-    EXPECT_EQ(surface.mesh.faces[f], face);
-  }
-}
-
 TEST(Proxy, KnowsWhenThereIsNoOutside) {
   EXPECT_FALSE(Prepared(test::moebius_strip(24)).proxy.oriented);
   Mesh mesh = test::icosphere(3);
@@ -203,7 +176,7 @@ TEST(Proxy, KnowsWhenThereIsNoOutside) {
 TEST(Proxy, ThreadsChangeNothing) {
   const Proxy one = Prepared(creature(), kSmall, test::with_threads(1)).proxy;
   const Proxy three = Prepared(creature(), kSmall, test::with_threads(3)).proxy;
-  EXPECT_EQ(one.surface_vertex, three.surface_vertex);
+  EXPECT_EQ(one.detail_vertex, three.detail_vertex);
   EXPECT_EQ(one.mesh.faces, three.mesh.faces);
   EXPECT_EQ(one.nodes, three.nodes);
   EXPECT_EQ(one.distances, three.distances);

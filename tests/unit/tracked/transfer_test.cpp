@@ -12,78 +12,82 @@
 #include "support/mesh_files.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "unit/tracked/prepared.h"
+#include "tracked/model.h"
 
 namespace isomatch::tracked {
 namespace {
 
-using test::Prepared;
+/// With a detail of a part of the vertices.
+Model small_model(const Mesh& mesh) {
+  TrackerOptions options;
+  options.detail_vertices = 800;
+  options.proxy = {.vertices = 500, .nodes = 150};
+  return make_model(extract_surface(mesh), false, options, {});
+}
 
-constexpr ProxyOptions kSmall{.vertices = 500, .nodes = 150};
-
-elastic::Deformation deformation_of(const Prepared& prepared) {
-  NodeGraph graph = node_graph(prepared.proxy, prepared.proxy.num_nodes());
+elastic::Deformation deformation_of(const Model& model) {
+  NodeGraph graph = node_graph(model.proxy, model.proxy.num_nodes());
   return {std::move(graph.cloud.positions), std::move(graph.neighbours)};
 }
 
-DeformedSurface transferred(const Prepared& prepared, const elastic::Deformation& deformation) {
-  return transfer(prepared.shape, prepared.surface, prepared.proxy, deformation,
-                  node_graph(prepared.proxy, deformation.size()).cloud.features);
+elastic::Cloud transferred(const Model& model, const elastic::Deformation& deformation) {
+  return transfer(model, deformation, node_graph(model.proxy, deformation.size()).cloud.features,
+                  {});
 }
 
 TEST(Transfer, CarriesARigidMotionExactly) {
-  const Prepared prepared(synthesize({.vertices = 2000, .pose = 1}).mesh, kSmall);
+  const Model model = small_model(synthesize({.vertices = 2000, .pose = 1}).mesh);
   test::Random random(1);
   for (int trial = 0; trial < 3; ++trial) {
     const Eigen::Matrix3d rotation = random.rotation();
     const Point shift = random.direction();
-    elastic::Deformation deformation = deformation_of(prepared);
+    elastic::Deformation deformation = deformation_of(model);
     std::vector<Point> moved = deformation.rest();
     for (Point& p : moved) p = rotation * p + shift;
     deformation.set_positions(moved);
     for (int i = 0; i < 50; ++i) deformation.fit_rotations(0);
-    const DeformedSurface result = transferred(prepared, deformation);
-    ASSERT_EQ(result.positions.size(), prepared.shape.num_vertices());
-    for (int v = 0; v < prepared.shape.num_vertices(); ++v) {
-      const Point expected = rotation * prepared.surface.mesh.vertices[v] + shift;
+    const elastic::Cloud result = transferred(model, deformation);
+    ASSERT_EQ(result.positions.size(), model.surface.mesh.num_vertices());
+    for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
+      const Point expected = rotation * model.surface.mesh.vertices[v] + shift;
       EXPECT_LT((result.positions[v] - expected).norm(), 1e-5);
-      EXPECT_LT((result.normals[v] - rotation * prepared.surface.normals[v]).norm(), 1e-4);
+      EXPECT_LT((result.normals[v] - rotation * model.surface.normals[v]).norm(), 1e-4);
     }
   }
 }
 
 TEST(Transfer, OfTheRestPoseChangesNothing) {
-  const Prepared prepared(test::torus(60, 30), kSmall);
-  const DeformedSurface result = transferred(prepared, deformation_of(prepared));
-  ASSERT_EQ(result.features.size(), prepared.shape.num_vertices());
-  for (int v = 0; v < prepared.shape.num_vertices(); ++v) {
-    EXPECT_LT((result.positions[v] - prepared.surface.mesh.vertices[v]).norm(), 1e-12);
-    EXPECT_LT((result.normals[v] - prepared.surface.normals[v]).norm(), 1e-12);
+  const Model model = small_model(test::torus(60, 30));
+  const elastic::Cloud result = transferred(model, deformation_of(model));
+  ASSERT_EQ(result.features.size(), model.surface.mesh.num_vertices());
+  for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
+    EXPECT_LT((result.positions[v] - model.surface.mesh.vertices[v]).norm(), 1e-12);
+    EXPECT_LT((result.normals[v] - model.surface.normals[v]).norm(), 1e-12);
   }
 }
 
 TEST(Transfer, FollowsASmoothBend) {
-  const Prepared prepared(test::sheet(40, 40), kSmall);
+  const Model model = small_model(test::sheet(40, 40));
   const auto rolled = [](const Point& p) {
     return Point(std::sin(p.x()), p.y(), 1 - std::cos(p.x()));
   };
-  elastic::Deformation deformation = deformation_of(prepared);
+  elastic::Deformation deformation = deformation_of(model);
   std::vector<Point> positions = deformation.rest();
   for (Point& p : positions) p = rolled(p);
   deformation.set_positions(positions);
   for (int i = 0; i < 50; ++i) deformation.fit_rotations(0);
-  const DeformedSurface result = transferred(prepared, deformation);
-  for (int v = 0; v < prepared.shape.num_vertices(); ++v)
-    EXPECT_LT((result.positions[v] - rolled(prepared.surface.mesh.vertices[v])).norm(), 0.01);
+  const elastic::Cloud result = transferred(model, deformation);
+  for (int v = 0; v < model.surface.mesh.num_vertices(); ++v)
+    EXPECT_LT((result.positions[v] - rolled(model.surface.mesh.vertices[v])).norm(), 0.01);
 }
 
 TEST(Transfer, OfTinyMeshes) {
   const Mesh triangle{{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
   for (const Mesh& mesh : {triangle, test::tetrahedron()}) {
-    const Prepared prepared(mesh);
-    const DeformedSurface result = transferred(prepared, deformation_of(prepared));
-    for (int v = 0; v < prepared.shape.num_vertices(); ++v)
-      EXPECT_LT((result.positions[v] - prepared.surface.mesh.vertices[v]).norm(), 1e-9);
+    const Model model = small_model(mesh);
+    const elastic::Cloud result = transferred(model, deformation_of(model));
+    for (int v = 0; v < model.surface.mesh.num_vertices(); ++v)
+      EXPECT_LT((result.positions[v] - model.surface.mesh.vertices[v]).norm(), 1e-9);
   }
 }
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "elastic/features.h"
+
+namespace isomatch::elastic {
+
+/// Points of a surface.
+struct Cloud {
+  std::vector<Point> positions, normals;
+  std::vector<Features> features;
+
+  int size() const { return static_cast<int>(positions.size()); }
+};
+
+/// Finds the point of a set that is closest in position, normal and features.
+class NearestPoint {
+ public:
+  NearestPoint(const std::vector<Point>& positions, const std::vector<Point>& normals,
+               const std::vector<Features>& features, const ProjectionWeights& weights);
+  ~NearestPoint();
+
+  int operator()(const Point& position, const Point& normal, const Features& features) const;
+
+ private:
+  struct Index;
+
+  ProjectionWeights weights_;
+  std::unique_ptr<Index> index_;
+};
+
+}  // namespace isomatch::elastic

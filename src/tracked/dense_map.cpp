@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/dense_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "elastic/descent.h"
+#include "elastic/nearest_point.h"
+#include "tracked/transfer.h"
+
+namespace isomatch::tracked {
+namespace {
+
+using elastic::Cloud;
+
+/// A surface, as it is or deformed, one of which is to be mapped to the other.
+struct Side {
+  const Model& model;
+  const Cloud& cloud;
+};
+
+/// What of a cloud belongs to some of its points.
+Cloud selected(const Cloud& cloud, const std::vector<int>& points) {
+  Cloud result;
+  for (int v : points) {
+    result.positions.push_back(cloud.positions[v]);
+    result.normals.push_back(cloud.normals[v]);
+    result.features.push_back(cloud.features[v]);
+  }
+  return result;
+}
+
+/// For each vertex of the detail of `from` the closest one of the detail of `onto`, as vertices of
+/// the surface.
+std::vector<int> closest_details(const Side& from, const Side& onto,
+                                 const elastic::ProjectionWeights& weights,
+                                 const Context& context) {
+  const std::vector<int>& vertices = onto.model.detail.surface_vertex;
+  const Cloud queries = selected(from.cloud, from.model.detail.surface_vertex);
+  const Cloud points = selected(onto.cloud, vertices);
+  const elastic::NearestPoint nearest(points.positions, points.normals, points.features, weights);
+  std::vector<int> closest(queries.positions.size());
+#pragma omp parallel for schedule(dynamic, 256) num_threads(context.threads)
+  for (int d = 0; d < queries.size(); ++d)
+    closest[d] = vertices[nearest(queries.positions[d], queries.normals[d], queries.features[d])];
+  return closest;
+}
+
+/// The closest points of `onto`, with the faces as they are in its surface.
+SurfaceMap project(const Side& from, const Side& onto, const elastic::ProjectionWeights& weights,
+                   const Context& context) {
+  const std::vector<int> starts = closest_details(from, onto, weights, context);
+  const UnitSurface& surface = onto.model.surface;
+  const Mesh mesh{onto.cloud.positions, surface.mesh.faces};
+  const elastic::Descent descent(mesh, surface.faces, onto.cloud.normals, onto.cloud.features,
+                                 weights);
+  const Cloud& cloud = from.cloud;
+  SurfaceMap map(cloud.positions.size());
+#pragma omp parallel for schedule(dynamic, 1024) num_threads(context.threads)
+  for (int v = 0; v < cloud.size(); ++v) {
+    const elastic::Foot foot = descent(starts[from.model.attachment.anchors[v]], cloud.positions[v],
+                                       cloud.normals[v], cloud.features[v]);
+    map[v] = {foot.face, foot.weights};
+    if (surface.turned[foot.face]) std::swap(map[v].weights[1], map[v].weights[2]);
+  }
+  return map;
+}
+
+/// Moves what is near a landmark along with it, so that the landmark arrives.
+void bend_to_landmarks(const Model& source, const Model& target, const Correspondence& landmarks,
+                       Cloud& deformed) {
+  constexpr double kReach = 0.05;
+  std::vector<Point> moves;
+  for (const Match& match : landmarks)
+    moves.push_back(target.surface.mesh.vertices[match.target] - deformed.positions[match.source]);
+  const std::vector<Point>& rest = source.surface.mesh.vertices;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    for (std::size_t k = 0; k < landmarks.size(); ++k) {
+      const double distance = (rest[v] - rest[landmarks[k].source]).norm() / kReach;
+      deformed.positions[v] += std::exp(-distance * distance) * moves[k];
+    }
+  }
+}
+
+/// The point of a surface at a vertex, with the faces as they are in the surface.
+SurfacePoint point_at(const UnitSurface& surface, int vertex) {
+  SurfacePoint point{surface.faces[vertex].front(), {}};
+  const Face& face = surface.mesh.faces[point.face];
+  point.weights[std::ranges::find(face, vertex) - face.begin()] = 1;
+  if (surface.turned[point.face]) std::swap(point.weights[1], point.weights[2]);
+  return point;
+}
+
+}  // namespace
+
+TrackedMap dense_map(const Track& track, const Model& target, const TrackerOptions& options,
+                     const Context& context) {
+  const Model& source = *track.judged.source;
+  const UnitSurface& goal = target.surface;
+  Cloud deformed = transfer(source, track.deformation, track.cloud.features, context);
+  bend_to_landmarks(source, target, options.landmarks, deformed);
+  const Cloud rest{goal.mesh.vertices, goal.normals, target.attachment.features};
+  const Side from{source, deformed}, onto{target, rest};
+  TrackedMap map;
+  map.source_to_target = project(from, onto, options.late_projection, context);
+  map.target_to_source = project(onto, from, options.late_projection, context);
+  for (const Match& match : options.landmarks)
+    map.source_to_target[match.source] = point_at(goal, match.target);
+  map.registered = std::move(deformed.positions);
+  for (Point& p : map.registered) p = p * goal.scale + goal.centre;
+  map.energy = track.registration.energy;
+  map.distance = track.registration.distance;
+  map.deviation = track.registration.deviation;
+  map.distortion = track.judged.hypothesis.distortion;
+  map.orientation = track.judged.hypothesis.orientation;
+  map.mirrored = source.mirrored;
+  return map;
+}
+
+}  // namespace isomatch::tracked
