@@ -16,13 +16,17 @@ double corner_angle(const Mesh& mesh, const Face& face, int corner) {
   return std::atan2(u.cross(w).norm(), u.dot(w));
 }
 
+double cotangent_weight(const Mesh& mesh, const Face& face, int corner) {
+  return std::clamp(0.5 / std::tan(corner_angle(mesh, face, corner)), 0.0, 10.0);
+}
+
 Eigen::SparseMatrix<double, Eigen::RowMajor> cotangent_laplacian(const Mesh& mesh) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(mesh.faces.size() * 12);
   for (const Face& face : mesh.faces) {
     for (int corner = 0; corner < 3; ++corner) {
       const int a = face[(corner + 1) % 3], b = face[(corner + 2) % 3];
-      const double weight = std::clamp(0.5 / std::tan(corner_angle(mesh, face, corner)), 0.0, 10.0);
+      const double weight = cotangent_weight(mesh, face, corner);
       entries.emplace_back(a, b, -weight);
       entries.emplace_back(b, a, -weight);
       entries.emplace_back(a, a, weight);

@@ -97,6 +97,18 @@ std::vector<Match> read_landmark_lines(const InputFile& file, VertexCounts count
   return landmarks;
 }
 
+std::vector<int> read_vertex_lines(const std::string& path, const VertexRange& range) {
+  const InputFile file(path);
+  std::vector<int> vertices;
+  TextCursor cursor(file);
+  while (cursor.find_content()) {
+    vertices.push_back(read_vertex(cursor, range, false));
+    cursor.expect_line_end();
+  }
+  if (vertices.empty()) file.fail("no vertices in it");
+  return vertices;
+}
+
 /// How far weights may be off by the rounding of whoever wrote them.
 constexpr double kWeightTolerance = 1e-6;
 
@@ -174,17 +186,12 @@ SurfaceMap read_surface_map(const std::string& path, SurfaceMapCounts counts, Nu
   return map;
 }
 
+std::vector<int> read_vertex_list(const std::string& path, int num_vertices) {
+  return read_vertex_lines(path, {"shape", num_vertices, 0});
+}
+
 std::vector<int> read_vts(const std::string& path, int num_vertices) {
-  const InputFile file(path);
-  const VertexRange range{"shape", num_vertices, 1};
-  std::vector<int> vertices;
-  TextCursor cursor(file);
-  while (cursor.find_content()) {
-    vertices.push_back(read_vertex(cursor, range, false));
-    cursor.expect_line_end();
-  }
-  if (vertices.empty()) file.fail("no vertices in it");
-  return vertices;
+  return read_vertex_lines(path, {"shape", num_vertices, 1});
 }
 
 void write_source_to_target(const std::string& path, const VertexMap& source_to_target) {

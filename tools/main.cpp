@@ -20,6 +20,7 @@ void describe_program(CLI::App& app, Request& request) {
   add_synth(app, request);
   add_render(app, request);
   add_report(app, request);
+  add_transfer(app, request);
   set_example(app, "isomatch match cat0.off cat1.off -o cats");
 }
 

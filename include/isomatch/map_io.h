@@ -38,6 +38,9 @@ VertexMap read_source_to_target(const std::string& path, VertexCounts counts,
 /// order.
 std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts);
 
+/// Reads a list of vertices, numbered from 0, one a line, repeated or not. In the file's order.
+std::vector<int> read_vertex_list(const std::string& path, int num_vertices);
+
 /// What a file of points on a target is checked against.
 struct SurfaceMapCounts {
   int source_vertices;

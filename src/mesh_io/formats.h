@@ -6,6 +6,7 @@
 #include "isomatch/atomic_file.h"
 #include "isomatch/mesh.h"
 #include "isomatch/mesh_io.h"
+#include "isomatch/texture_io.h"
 
 /// One reader and one writer a format; see `read_mesh` and `write_mesh` for what they promise.
 namespace isomatch::mesh_io {
@@ -13,6 +14,9 @@ namespace isomatch::mesh_io {
 struct ReadResult {
   Mesh mesh;
   MeshReadReport report;
+  /// What only the readers that are asked for it fill, and only if the file has it.
+  Texture texture;
+  VertexColors colors;
 };
 
 ReadResult read_off(const InputFile& file);
@@ -20,8 +24,13 @@ ReadResult read_obj(const InputFile& file);
 ReadResult read_ply(const InputFile& file);
 ReadResult read_stl(const InputFile& file);
 
+ReadResult read_textured_obj(const InputFile& file);
+ReadResult read_colored_ply(const InputFile& file);
+
 void write_off(const Mesh& mesh, AtomicFile& file);
 void write_obj(const Mesh& mesh, AtomicFile& file);
 void write_ply(const Mesh& mesh, AtomicFile& file);
+
+void write_colored_ply(const Mesh& mesh, const VertexColors& colors, AtomicFile& file);
 
 }  // namespace isomatch::mesh_io

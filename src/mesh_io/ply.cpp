@@ -33,6 +33,12 @@ class PlyReader {
     if (const PlyElement* vertex = header.find("vertex")) num_vertices_ = vertex->count;
   }
 
+  /// Reads vertex colours besides, if there are any.
+  ReadResult read_with_colors() {
+    if (const PlyElement* vertex = header_->find("vertex")) color_channels_ = channels_of(*vertex);
+    return read();
+  }
+
   ReadResult read() {
     for (const PlyElement& element : header_->elements) {
       if (element.name == "vertex")
@@ -56,15 +62,44 @@ class PlyReader {
     for (int i = 0; i < element.count; ++i) {
       body_.begin_element(element, i);
       Point point;
+      Eigen::Vector3d color = Eigen::Vector3d::Zero();
       for (std::size_t k = 0; k < axes.size(); ++k) {
-        if (axes[k] == kNoAxis)
+        if (axes[k] == kNoAxis && channel(k) != kNoAxis)
+          color[channel(k)] = read_intensity(element.properties[k].type);
+        else if (axes[k] == kNoAxis)
           skip(element.properties[k]);
         else
           point[axes[k]] = checked_coordinate(body_, body_.scalar(element.properties[k].type));
       }
       body_.end_element();
       result_.mesh.vertices.push_back(point);
+      if (!color_channels_.empty()) result_.colors.push_back(color);
     }
+  }
+
+  int channel(std::size_t property) const {
+    return color_channels_.empty() ? kNoAxis : color_channels_[property];
+  }
+
+  double read_intensity(PlyType type) {
+    const double value = checked_coordinate(body_, body_.scalar(type));
+    if (type == PlyType::kUint8) return value / 255;
+    return type == PlyType::kUint16 ? value / 65535 : value;
+  }
+
+  /// For each property of the vertices 0, 1, 2 for red, green, blue, or kNoAxis; empty unless all
+  /// of them are there.
+  static std::vector<int> channels_of(const PlyElement& element) {
+    constexpr std::array<std::string_view, 3> kNames = {"red", "green", "blue"};
+    std::vector<int> channels;
+    for (const PlyProperty& property : element.properties) {
+      const auto name = std::ranges::find(kNames, property.name);
+      const bool is_channel = name != kNames.end() && !property.count_type;
+      channels.push_back(is_channel ? static_cast<int>(name - kNames.begin()) : kNoAxis);
+    }
+    for (int k = 0; k < 3; ++k)
+      if (std::ranges::count(channels, k) != 1) return {};
+    return channels;
   }
 
   void read_faces(const PlyElement& element) {
@@ -175,22 +210,34 @@ class PlyReader {
   const PlyHeader* header_;
   Body body_;
   int num_vertices_ = 0;
+  /// As `channels_of` says; empty if colours are not read.
+  std::vector<int> color_channels_;
   ReadResult result_;
 };
+
+/// Calls `use` with the reader for the file's encoding.
+template <class Use>
+ReadResult with_reader(const InputFile& file, const Use& use) {
+  const PlyHeader header = read_ply_header(file);
+  switch (header.format) {
+    case PlyFormat::kAscii:
+      return use(PlyReader<AsciiPlyBody>(file, header));
+    case PlyFormat::kBinaryLittleEndian:
+      return use(PlyReader<BinaryPlyBody<std::endian::little>>(file, header));
+    case PlyFormat::kBinaryBigEndian:
+      break;
+  }
+  return use(PlyReader<BinaryPlyBody<std::endian::big>>(file, header));
+}
 
 }  // namespace
 
 ReadResult read_ply(const InputFile& file) {
-  const PlyHeader header = read_ply_header(file);
-  switch (header.format) {
-    case PlyFormat::kAscii:
-      return PlyReader<AsciiPlyBody>(file, header).read();
-    case PlyFormat::kBinaryLittleEndian:
-      return PlyReader<BinaryPlyBody<std::endian::little>>(file, header).read();
-    case PlyFormat::kBinaryBigEndian:
-      break;
-  }
-  return PlyReader<BinaryPlyBody<std::endian::big>>(file, header).read();
+  return with_reader(file, [](auto reader) { return reader.read(); });
+}
+
+ReadResult read_colored_ply(const InputFile& file) {
+  return with_reader(file, [](auto reader) { return reader.read_with_colors(); });
 }
 
 }  // namespace isomatch::mesh_io

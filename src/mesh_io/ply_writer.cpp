@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -20,9 +21,14 @@ constexpr std::string_view kHeader =
     "property double x\n"
     "property double y\n"
     "property double z\n"
+    "{}"
     "element face {}\n"
     "property list uchar int vertex_indices\n"
     "end_header\n";
+constexpr std::string_view kColorProperties =
+    "property uchar red\n"
+    "property uchar green\n"
+    "property uchar blue\n";
 constexpr char kCorners = 3;
 
 template <class T>
@@ -32,14 +38,20 @@ void append_little_endian(std::string& bytes, T value) {
   bytes.append(part.data(), part.size());
 }
 
-}  // namespace
+char byte(double intensity) {
+  return static_cast<char>(std::lround(255 * std::clamp(intensity, 0.0, 1.0)));
+}
 
-void write_ply(const Mesh& mesh, AtomicFile& file) {
-  file.write(fmt::format(kHeader, mesh.num_vertices(), mesh.num_faces()));
+/// `colors` is empty or has one for each vertex.
+void write(const Mesh& mesh, const VertexColors& colors, AtomicFile& file) {
+  file.write(fmt::format(kHeader, mesh.num_vertices(), colors.empty() ? "" : kColorProperties,
+                         mesh.num_faces()));
   std::string bytes;
-  for (const Point& point : mesh.vertices) {
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     bytes.clear();
-    for (const double coordinate : point) append_little_endian(bytes, coordinate);
+    for (const double coordinate : mesh.vertices[v]) append_little_endian(bytes, coordinate);
+    if (!colors.empty())
+      for (const double intensity : colors[v]) bytes += byte(intensity);
     file.write(bytes);
   }
   for (const Face& face : mesh.faces) {
@@ -47,6 +59,14 @@ void write_ply(const Mesh& mesh, AtomicFile& file) {
     for (const int vertex : face) append_little_endian(bytes, vertex);
     file.write(bytes);
   }
+}
+
+}  // namespace
+
+void write_ply(const Mesh& mesh, AtomicFile& file) { write(mesh, {}, file); }
+
+void write_colored_ply(const Mesh& mesh, const VertexColors& colors, AtomicFile& file) {
+  write(mesh, colors, file);
 }
 
 }  // namespace isomatch::mesh_io

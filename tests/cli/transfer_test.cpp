@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "isomatch/texture_io.h"
+#include "isomatch/values_io.h"
+#include "match_program.h"
+#include "program.h"
+
+namespace isomatch::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A folder with the map from a creature to a copy of it, as `isomatch match` would write it. A
+/// small tetrahedron far from the copy, with its lowest numbers, has no partner.
+class Transfer : public MatchProgram {
+ protected:
+  void SetUp() override {
+    MatchProgram::SetUp();
+    write_mesh(path("copy.ply"), copy_);
+    fs::create_directory(path("out"));
+    SurfaceMap source_to_target;
+    VertexMap vertices;
+    for (int v = 0; v < source_.num_vertices(); ++v) {
+      source_to_target.push_back(corner(copy_, v + kExtraVertices));
+      vertices.push_back(v + kExtraVertices);
+    }
+    write_surface_map(path("out/source_to_target.bary.txt"), source_to_target);
+    write_source_to_target(path("out/source_to_target.txt"), vertices);
+    const nlohmann::json report{{"source", side("source.off", source_)},
+                                {"target", side("copy.ply", copy_)},
+                                {"options", {{"method", "tracked"}}}};
+    folder_.write("out/report.json", report.dump());
+  }
+
+  nlohmann::json side(const std::string& file, const Mesh& mesh) const {
+    return {{"file", path(file)}, {"vertices", mesh.num_vertices()}, {"faces", mesh.num_faces()}};
+  }
+
+  static SurfacePoint corner(const Mesh& mesh, int vertex) {
+    for (int f = 0; f < mesh.num_faces(); ++f) {
+      for (int k = 0; k < 3; ++k) {
+        if (mesh.faces[f][k] != vertex) continue;
+        SurfacePoint point{f, {}};
+        point.weights[k] = 1;
+        return point;
+      }
+    }
+    return {};
+  }
+
+  Outcome carry(const std::vector<std::string>& more, const std::string& output) const {
+    std::vector<std::string> all{"transfer", path("out"), "-o", path(output)};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
+
+  void expect_carried(const std::vector<std::string>& more, const std::string& output) const {
+    const Outcome outcome = carry(more, output);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+  }
+
+  std::string refusal(const std::vector<std::string>& more) const {
+    const Outcome outcome = carry(more, "refused");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1);
+    EXPECT_FALSE(fs::exists(path("refused")));
+    return outcome.errors;
+  }
+
+  static Mesh far_tetrahedron() {
+    Mesh mesh = scaled(tetrahedron(), 0.01);
+    for (Point& p : mesh.vertices) p += Point(10, 10, 10);
+    return mesh;
+  }
+
+  /// Of each source vertex its number modulo 7.
+  std::string labels_file() const {
+    std::string text;
+    for (int v = 0; v < source_.num_vertices(); ++v) text += std::to_string(v % 7) + "\n";
+    return folder_.write("labels.txt", text);
+  }
+
+  const Mesh copy_ = combined(far_tetrahedron(), source_);
+};
+
+TEST_F(Transfer, LabelsGoOverAndBack) {
+  expect_carried({"--labels", labels_file()}, "carried.txt");
+  const std::vector<int> carried = read_labels(path("carried.txt"), copy_.num_vertices());
+  for (int v = 0; v < source_.num_vertices(); ++v) EXPECT_EQ(carried[v + kExtraVertices], v % 7);
+  for (int v = 0; v < kExtraVertices; ++v) EXPECT_EQ(carried[v], kNoLabel);
+  expect_carried({"--labels", path("carried.txt"), "--reverse"}, "back.txt");
+  EXPECT_EQ(bytes("back.txt"), bytes("labels.txt"));
+}
+
+TEST_F(Transfer, ValuesOfWhatIsUnmatchedAreUnknown) {
+  Eigen::MatrixXd values(source_.num_vertices(), 2);
+  for (int v = 0; v < source_.num_vertices(); ++v) values.row(v) << v, 0.5 * v;
+  write_values(path("values.txt"), values);
+  expect_carried({"--values", path("values.txt")}, "carried.txt");
+  const Eigen::MatrixXd carried = read_values(path("carried.txt"), copy_.num_vertices());
+  EXPECT_TRUE(carried.topRows(kExtraVertices).array().isNaN().all());
+  EXPECT_LT((carried.bottomRows(source_.num_vertices()) - values).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST_F(Transfer, ColorsGoIntoAMesh) {
+  write_colored_mesh(path("painted.ply"), source_,
+                     VertexColors(source_.vertices.size(), {1, 0.2, 0}));
+  expect_carried({"--colors", path("painted.ply")}, "carried.ply");
+  const VertexColors colors = read_vertex_colors(path("carried.ply"));
+  EXPECT_LT((colors[0] - Eigen::Vector3d(0.5, 0.5, 0.5)).norm(), 0.01);
+  EXPECT_LT((colors[kExtraVertices] - Eigen::Vector3d(1, 0.2, 0)).norm(), 1e-9);
+  EXPECT_EQ(read_mesh(path("carried.ply")).faces, copy_.faces);
+}
+
+TEST_F(Transfer, LandmarksInBothForms) {
+  const std::string landmarks = folder_.write("landmarks.txt", "5\n700\n5\n");
+  expect_carried({"--landmarks", landmarks}, "carried.txt");
+  EXPECT_EQ(bytes("carried.txt"), "9\n704\n9\n");
+  expect_carried({"--landmarks", landmarks}, "carried.bary.txt");
+  const SurfaceMap points = read_surface_map(path("carried.bary.txt"), {3, copy_.num_faces()});
+  EXPECT_EQ(position(copy_, points[1]), copy_.vertices[704]);
+}
+
+TEST_F(Transfer, SkinningWeightsSumToOne) {
+  SkinWeights weights(source_.vertices.size(), {{3, 0.5}, {4, 0.5}});
+  write_skin_weights(path("skin.txt"), weights);
+  expect_carried({"--skin", path("skin.txt")}, "carried.txt");
+  const SkinWeights carried = read_skin_weights(path("carried.txt"), copy_.num_vertices());
+  EXPECT_TRUE(carried[0].empty());
+  EXPECT_EQ(carried[kExtraVertices], weights[0]);
+}
+
+TEST_F(Transfer, TexturesUseTheirImagesFromWhereTheyAre) {
+  TexturedMesh textured{source_, {}};
+  textured.texture.coordinates = {{0, 0}, {1, 0}, {0, 1}};
+  textured.texture.corners.assign(source_.faces.size(), {0, 1, 2});
+  textured.texture.materials = {"fur"};
+  textured.texture.face_material.assign(source_.faces.size(), 0);
+  fs::create_directory(path("art"));
+  write_textured_mesh(path("art/source.obj"), textured, "source.mtl");
+  folder_.write("art/my fur.png", "not looked at");
+  folder_.write("art/source.mtl", "newmtl fur\nKd 1 1 1\nmap_Kd -s 1 1 1 my fur.png\n");
+  expect_carried({"--texture", path("art/source.obj"), "--keep-faces"}, "carried.obj");
+  EXPECT_THAT(bytes("carried.mtl"), HasSubstr("map_Kd -s 1 1 1 art/my fur.png\n"));
+  const TexturedMesh carried = read_textured_mesh(path("carried.obj"));
+  EXPECT_EQ(carried.mesh.faces, copy_.faces);
+  EXPECT_FALSE(carried.texture.covers(0));
+  EXPECT_TRUE(carried.texture.covers(kExtraVertices));
+  EXPECT_EQ(material_libraries(path("carried.obj")), std::vector<std::string>{"carried.mtl"});
+  expect_carried({"--texture", path("art/source.obj"), "--image", path("art/my fur.png")},
+                 "again.obj");
+  EXPECT_THAT(bytes("again.mtl"), HasSubstr("map_Kd art/my fur.png\n"));
+  fs::remove(path("art/source.mtl"));
+  EXPECT_THAT(refusal({"--texture", path("art/source.obj")}), HasSubstr("source.mtl"));
+}
+
+TEST_F(Transfer, PosesGoIntoAFolder) {
+  Mesh frame = source_;
+  for (Point& p : frame.vertices) p = 2 * p + Point(1, 0, 0);
+  write_mesh(path("frame_01.off"), frame);
+  expect_carried({"--poses", path("source.off"), path("frame_01.off")}, "poses");
+  const Mesh still = read_mesh(path("poses/source.ply"));
+  const Mesh grown = read_mesh(path("poses/frame_01.ply"));
+  EXPECT_EQ(still.faces, copy_.faces);
+  const Point first = still.vertices[100], second = still.vertices[500];
+  EXPECT_NEAR((grown.vertices[100] - grown.vertices[500]).norm(), 2 * (first - second).norm(),
+              1e-6);
+}
+
+TEST_F(Transfer, BadInputIsRefused) {
+  const std::string labels = labels_file();
+  EXPECT_THAT(refusal({}), HasSubstr("Exactly 1 option"));
+  EXPECT_THAT(refusal({"--labels", labels, "--values", labels}), HasSubstr("2 were given"));
+  EXPECT_THAT(refusal({"--labels", path("nowhere.txt")}), HasSubstr("nowhere.txt"));
+  EXPECT_THAT(refusal({"--labels", labels, "--reverse"}), HasSubstr("labels.txt"));
+  EXPECT_THAT(refusal({"--labels", labels, "--alternative", "3"}), HasSubstr("no alternative 3"));
+  EXPECT_THAT(refusal({"--labels", labels, "--keep-faces"}), HasSubstr("--keep-faces"));
+  EXPECT_THAT(refusal({"--poses", path("copy.ply")}), HasSubstr("copy.ply"));
+  EXPECT_THAT(refusal({"--poses", path("source.off"), path("source.off")}),
+              HasSubstr("two frames"));
+  EXPECT_THAT(refusal({"--landmarks", folder_.write("l.txt", "1\n100000\n")}), HasSubstr("line 2"));
+  EXPECT_THAT(refusal({"--colors", path("copy.ply")}), HasSubstr("no colours"));
+}
+
+}  // namespace
+}  // namespace isomatch::test

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "transfer/carry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "isomatch/error.h"
+#include "isomatch/map_io.h"
+#include "isomatch/mesh_io.h"
+#include "isomatch/pose_transfer.h"
+#include "isomatch/texture_io.h"
+#include "isomatch/topology.h"
+#include "isomatch/transfer.h"
+#include "isomatch/values_io.h"
+
+namespace isomatch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What colours and textures leave uncovered, to be seen as such.
+const Eigen::Vector3d kUnknownColor(0.5, 0.5, 0.5);
+
+void check_same_mesh(const std::string& path, const Mesh& mesh, const Mesh& from) {
+  if (mesh.faces != from.faces || mesh.num_vertices() != from.num_vertices())
+    throw BadFile(path, "does not have the vertices and faces of the mesh that was matched");
+}
+
+/// The points of vertices that a file lists, one a line.
+SurfaceMap vertex_points(const Mesh& mesh, const std::vector<int>& vertices) {
+  SurfaceMap first_corners(mesh.vertices.size());
+  for (int f = 0; f < mesh.num_faces(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      SurfacePoint& point = first_corners[mesh.faces[f][k]];
+      if (point.face != kNoFace) continue;
+      point.face = f;
+      point.weights[k] = 1;
+    }
+  }
+  SurfaceMap points;
+  for (int v : vertices) points.push_back(first_corners[v]);
+  return points;
+}
+
+/// The file for a frame in the folder of frames.
+std::string frame_output(const std::string& folder, const std::string& frame) {
+  return (fs::path(folder) / fs::path(frame).filename().replace_extension(".ply")).string();
+}
+
+void create_folder(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw BadFile(path, "cannot be created: " + error.message());
+}
+
+void check_distinct_outputs(const std::vector<std::string>& frames) {
+  std::vector<std::string> names;
+  for (const std::string& frame : frames) names.push_back(frame_output("", frame));
+  std::ranges::sort(names);
+  if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
+    throw BadFile(*twice, "two frames would be written to this name");
+}
+
+}  // namespace
+
+void carry_values(const TransferJob& job, const TransferArguments& arguments) {
+  const Eigen::MatrixXd values = read_values(arguments.values, job.from.num_vertices());
+  write_values(arguments.output, transfer_values(job.from, job.onto_to_from, values));
+}
+
+void carry_labels(const TransferJob& job, const TransferArguments& arguments) {
+  const std::vector<int> labels = read_labels(arguments.labels, job.from.num_vertices());
+  write_labels(arguments.output, transfer_labels(job.from, job.onto_to_from, labels));
+}
+
+void carry_colors(const TransferJob& job, const TransferArguments& arguments) {
+  const VertexColors colors = read_vertex_colors(arguments.colors);
+  if (std::cmp_not_equal(colors.size(), job.from.num_vertices()))
+    throw BadFile(arguments.colors, fmt::format("has {} vertices, but the mesh that was matched {}",
+                                                colors.size(), job.from.num_vertices()));
+  Eigen::MatrixXd rows(colors.size(), 3);
+  for (std::size_t v = 0; v < colors.size(); ++v) rows.row(v) = colors[v].transpose();
+  const Eigen::MatrixXd carried = transfer_values(job.from, job.onto_to_from, rows);
+  VertexColors result;
+  for (Eigen::Index v = 0; v < carried.rows(); ++v)
+    result.push_back(carried.row(v).allFinite() ? Eigen::Vector3d(carried.row(v)) : kUnknownColor);
+  write_colored_mesh(arguments.output, job.onto, result);
+}
+
+void carry_landmarks(const TransferJob& job, const TransferArguments& arguments) {
+  const std::vector<int> landmarks = read_vertex_list(arguments.landmarks, job.from.num_vertices());
+  const SurfaceMap points =
+      transfer_points(job.from, job.onto, job.from_to_onto, vertex_points(job.from, landmarks));
+  if (arguments.output.ends_with(".bary.txt"))
+    write_surface_map(arguments.output, points);
+  else
+    write_source_to_target(arguments.output, nearest_vertices(job.onto, points));
+}
+
+void carry_skin(const TransferJob& job, const TransferArguments& arguments) {
+  const SkinWeights weights = read_skin_weights(arguments.skin, job.from.num_vertices());
+  write_skin_weights(arguments.output, transfer_skin(job.from, job.onto_to_from, weights));
+}
+
+void carry_poses(const TransferJob& job, const TransferArguments& arguments) {
+  check_distinct_outputs(arguments.poses);
+  const PoseTransfer carry(job.from, job.onto, job.onto_to_from,
+                           {.same_rest_pose = arguments.same_rest_pose});
+  Mesh pose = job.onto;
+  for (const std::string& path : arguments.poses) {
+    const Mesh frame = read_mesh(path);
+    check_same_mesh(path, frame, job.from);
+    pose.vertices = carry(frame.vertices);
+    create_folder(arguments.output);
+    write_mesh(frame_output(arguments.output, path), pose);
+  }
+}
+
+}  // namespace isomatch::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "transfer/job.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "isomatch/error.h"
+#include "isomatch/map_inversion.h"
+#include "isomatch/map_io.h"
+
+namespace isomatch::cli {
+namespace {
+
+SurfaceMap load_inverse(const MatchResult& result, const ResultMap& map, const Context& context) {
+  const std::string path =
+      result.path((std::filesystem::path(map.folder) / "target_to_source.bary.txt").string());
+  if (std::filesystem::exists(path))
+    return read_surface_map(path, {result.target.num_vertices(), result.source.num_faces()});
+  return invert_map(result.source, result.target, map.points, {}, context);
+}
+
+}  // namespace
+
+TransferJob load_transfer(const TransferArguments& arguments, const Context& context) {
+  MatchResult result = load_result(arguments.folder, arguments.places);
+  if (arguments.alternative >= result.maps.size())
+    throw BadFile(arguments.folder, "has no alternative " + std::to_string(arguments.alternative));
+  ResultMap& map = result.maps[arguments.alternative];
+  SurfaceMap inverse = load_inverse(result, map, context);
+  if (arguments.reverse)
+    return {result.target_path, std::move(result.target), std::move(result.source),
+            std::move(map.points), std::move(inverse)};
+  return {result.source_path, std::move(result.source), std::move(result.target),
+          std::move(inverse), std::move(map.points)};
+}
+
+}  // namespace isomatch::cli

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "isomatch/atomic_file.h"
+#include "isomatch/error.h"
+#include "isomatch/texture_io.h"
+#include "isomatch/texture_transfer.h"
+#include "transfer/carry.h"
+
+namespace isomatch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keywords of material files whose lines end with the name of an image.
+bool names_image(const std::string& keyword) {
+  return keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" ||
+         keyword == "decal" || keyword == "refl" || keyword == "norm";
+}
+
+/// `path` as seen from the folder of `output`.
+std::string seen_from(const std::string& output, const fs::path& path) {
+  const fs::path folder = fs::absolute(output).parent_path();
+  return fs::absolute(path).lexically_normal().lexically_relative(folder).generic_string();
+}
+
+/// A line of a material file in `folder` as one of the file `output`: the image's name follows.
+std::string moved_line(const std::string& line, const fs::path& folder, const std::string& output) {
+  std::istringstream words(line);
+  std::string keyword;
+  words >> keyword;
+  if (!names_image(keyword)) return line;
+  const std::size_t last = line.find_last_not_of(" \t\r");
+  std::size_t start = line.find_first_not_of(" \t", line.find(keyword) + keyword.size());
+  if (start == std::string::npos) return line;
+  // Options may stand before the name, and the name may hold blanks: the longest rest that is a
+  // file counts, failing that the last word.
+  for (std::size_t at = start; at != std::string::npos && at <= last;) {
+    const std::string name = line.substr(at, last + 1 - at);
+    const std::size_t blank = line.find_first_of(" \t", at);
+    const bool is_last = blank == std::string::npos || blank > last;
+    if (is_last || fs::exists(folder / name))
+      return line.substr(0, at) + seen_from(output, folder / name);
+    at = line.find_first_not_of(" \t", blank);
+  }
+  return line;
+}
+
+/// The materials of the texture's own files.
+std::string moved_libraries(const std::string& texture, const std::string& output) {
+  const fs::path folder = fs::path(texture).parent_path();
+  std::string text;
+  for (const std::string& name : material_libraries(texture)) {
+    const fs::path path = folder / name;
+    std::ifstream file(path);
+    if (!file) throw BadFile(path.string(), fmt::format("cannot be opened; {} names it", texture));
+    for (std::string line; std::getline(file, line);)
+      text += moved_line(line, path.parent_path(), output) + "\n";
+  }
+  return text;
+}
+
+/// One material that shows the image.
+std::string image_library(const std::string& name, const std::string& image,
+                          const std::string& output) {
+  if (!fs::exists(image)) throw BadFile(image, "is not there");
+  return fmt::format("newmtl {}\nKd 1 1 1\nmap_Kd {}\n", name, seen_from(output, image));
+}
+
+/// With `image` all that is covered has one material.
+void use_one_material(Texture& texture) {
+  texture.materials = {"textured"};
+  for (std::size_t f = 0; f < texture.face_material.size(); ++f)
+    texture.face_material[f] = texture.covers(static_cast<int>(f)) ? 0 : Texture::kNone;
+}
+
+constexpr std::string_view kUncovered = "newmtl none\nKd 0.5 0.5 0.5\n";
+
+}  // namespace
+
+void carry_texture(const TransferJob& job, const TransferArguments& arguments) {
+  TexturedMesh from = read_textured_mesh(arguments.texture);
+  if (from.mesh.faces != job.from.faces || from.mesh.num_vertices() != job.from.num_vertices())
+    throw BadFile(arguments.texture,
+                  "does not have the vertices and faces of the mesh that was matched");
+  const fs::path library = fs::path(arguments.output).replace_extension(".mtl");
+  std::string materials;
+  if (arguments.image.empty()) {
+    materials = moved_libraries(arguments.texture, library.string());
+  } else {
+    use_one_material(from.texture);
+    materials = image_library("textured", arguments.image, library.string());
+  }
+  const TexturedMesh carried = transfer_texture(job.from, from.texture, job.onto, job.onto_to_from,
+                                                {.cut_seams = !arguments.keep_faces});
+  AtomicFile file(library.string());
+  file.write(materials);
+  file.write(kUncovered);
+  write_textured_mesh(arguments.output, carried, library.filename().string());
+  file.commit();
+}
+
+}  // namespace isomatch::cli
