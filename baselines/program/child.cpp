@@ -3,7 +3,6 @@
 #include "program/child.h"
 
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -65,12 +64,6 @@ ChildOutcome run_child(const std::function<std::string()>& work, const std::stop
   const int status = wait_for(child, stop);
   if (WIFSIGNALED(status)) return {WTERMSIG(status), {}};
   return {0, content(file.get())};
-}
-
-double peak_memory_mib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 }  // namespace isomatch::baselines

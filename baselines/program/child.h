@@ -22,7 +22,4 @@ struct ChildOutcome {
 /// the system has no process to give.
 ChildOutcome run_child(const std::function<std::string()>& work, const std::stop_token& stop);
 
-/// Largest memory in use by this process so far, in MiB.
-double peak_memory_mib();
-
 }  // namespace isomatch::baselines

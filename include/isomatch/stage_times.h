@@ -9,10 +9,12 @@
 
 namespace isomatch {
 
-/// Wall-clock time of a stage, summed over all its parts.
 struct StageTime {
   std::string stage;
+  /// Wall-clock time, summed over all its parts.
   double seconds = 0;
+  /// The most resident memory that the process has had by the end of the stage, in MiB.
+  double peak_memory_mib = 0;
 };
 
 /// Adds the time until its destruction to the entry of `stage` in `times`.
@@ -29,5 +31,8 @@ class StageTimer {
   std::string_view stage_;
   std::chrono::steady_clock::time_point start_;
 };
+
+/// The most resident memory that this process has had so far.
+double peak_memory_mib();
 
 }  // namespace isomatch

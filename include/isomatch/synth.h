@@ -14,7 +14,7 @@ namespace isomatch {
 struct SynthOptions {
   /// One of `synth_shapes()`.
   std::string shape = "creature";
-  /// Wanted number of vertices, 1,000 to 4,000,000. The mesh has as many within 2 %; how many
+  /// Wanted number of vertices, 1,000 to 10,000,000. The mesh has as many within 2 %; how many
   /// exactly differs from pose to pose.
   int vertices = 5000;
   /// 0 is the rest pose, in which the shape equals its mirror image; every other number bends the

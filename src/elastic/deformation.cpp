@@ -13,6 +13,7 @@ const double kEdgeWeight = 1 / std::sqrt(3.0);
 /// Turns `rotation` to the rotation closest to `m` (Mueller et al. 2016).
 void extract_rotation(const Eigen::Matrix3d& m, Eigen::Quaterniond& rotation) {
   constexpr int kMaxIterations = 30;
+  constexpr double kTolerance = 1e-4;  // Rotations and positions are fitted in turn anyway.
   for (int i = 0; i < kMaxIterations; ++i) {
     const Eigen::Matrix3d r = rotation.toRotationMatrix();
     const Point axis =
@@ -20,7 +21,7 @@ void extract_rotation(const Eigen::Matrix3d& m, Eigen::Quaterniond& rotation) {
     const double scale = r.col(0).dot(m.col(0)) + r.col(1).dot(m.col(1)) + r.col(2).dot(m.col(2));
     const Point omega = axis / (std::abs(scale) + 1e-12);
     const double angle = omega.norm();
-    if (angle < 1e-7) break;
+    if (angle < kTolerance) break;
     rotation = Eigen::Quaterniond(Eigen::AngleAxisd(angle, omega / angle)) * rotation;
     rotation.normalize();
   }

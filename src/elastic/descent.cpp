@@ -4,40 +4,21 @@
 
 namespace isomatch::elastic {
 
-/// Squared.
-double Descent::distance(int vertex, const Coordinates& query) const {
-  const Coordinates there =
-      coordinates(mesh_.vertices[vertex], normals_[vertex], features_[vertex], weights_);
-  double sum = 0;
-  for (std::size_t k = 0; k < query.size(); ++k)
-    sum += (there[k] - query[k]) * (there[k] - query[k]);
-  return sum;
-}
-
-int Descent::nearest_vertex(int start, const Point& position, const Point& normal,
-                            const Features& features) const {
-  const Coordinates query = coordinates(position, normal, features, weights_);
+int descend(int start, const Point& position, const Mesh& mesh, const IndexLists& vertex_faces) {
   int best = start, at = -1;
-  double least = distance(start, query);
+  double least = (mesh.vertices[start] - position).squaredNorm();
   while (best != at) {
     at = best;
-    for (int f : vertex_faces_[at]) {
-      for (int v : mesh_.faces[f]) {
-        if (v == at) continue;
-        const double reached = distance(v, query);
-        if (reached >= least) continue;
-        least = reached;
+    for (int f : vertex_faces[at]) {
+      for (int v : mesh.faces[f]) {
+        const double distance = (mesh.vertices[v] - position).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
         best = v;
       }
     }
   }
   return best;
-}
-
-Foot Descent::operator()(int start, const Point& position, const Point& normal,
-                         const Features& features) const {
-  return foot_around(nearest_vertex(start, position, normal, features), position, mesh_,
-                     vertex_faces_, normals_);
 }
 
 }  // namespace isomatch::elastic

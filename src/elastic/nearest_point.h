@@ -9,14 +9,6 @@
 
 namespace isomatch::elastic {
 
-/// Points of a surface.
-struct Cloud {
-  std::vector<Point> positions, normals;
-  std::vector<Features> features;
-
-  int size() const { return static_cast<int>(positions.size()); }
-};
-
 /// Finds the point of a set that is closest in position, normal and features.
 class NearestPoint {
  public:

@@ -35,11 +35,11 @@ class Inverse {
 
 Eigenbasis eigenbasis(const Mesh& mesh, int count) {
   // Far from the spectrum of a surface of unit area, near enough to invert well.
-  const double shift = 1 / surface_area(mesh);
+  const double area = surface_area(mesh), shift = 1 / area;
   const std::vector<double> areas = vertex_areas(mesh);
   Eigen::VectorXd scale(mesh.num_vertices());
   for (int v = 0; v < mesh.num_vertices(); ++v)
-    scale[v] = 1 / std::sqrt(std::max(areas[v], 1e-3 * surface_area(mesh) / mesh.num_vertices()));
+    scale[v] = 1 / std::sqrt(std::max(areas[v], 1e-3 * area / mesh.num_vertices()));
   Eigen::SparseMatrix<double> matrix = scale.asDiagonal() *
                                        Eigen::SparseMatrix<double>(cotangent_laplacian(mesh)) *
                                        scale.asDiagonal();

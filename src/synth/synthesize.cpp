@@ -72,8 +72,8 @@ void SynthOptions::validate() const {
   if (std::find(shapes.begin(), shapes.end(), shape) == shapes.end())
     throw InvalidInput(
         fmt::format("unknown shape '{}', known: {}", shape, fmt::join(shapes, ", ")));
-  if (vertices < 1000 || vertices > 4'000'000)
-    throw InvalidInput(fmt::format("vertices must be in [1000, 4000000], not {}", vertices));
+  if (vertices < 1000 || vertices > 10'000'000)
+    throw InvalidInput(fmt::format("vertices must be in [1000, 10000000], not {}", vertices));
   if (pose < 0) throw InvalidInput(fmt::format("pose must be at least 0, not {}", pose));
 }
 

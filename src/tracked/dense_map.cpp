@@ -7,61 +7,57 @@
 #include <utility>
 
 #include "elastic/descent.h"
+#include "elastic/foot.h"
 #include "elastic/nearest_point.h"
 #include "tracked/transfer.h"
 
 namespace isomatch::tracked {
 namespace {
 
-using elastic::Cloud;
-
 /// A surface, as it is or deformed, one of which is to be mapped to the other.
 struct Side {
   const Model& model;
-  const Cloud& cloud;
+  const DeformedSurface& deformed;
 };
 
-/// What of a cloud belongs to some of its points.
-Cloud selected(const Cloud& cloud, const std::vector<int>& points) {
-  Cloud result;
-  for (int v : points) {
-    result.positions.push_back(cloud.positions[v]);
-    result.normals.push_back(cloud.normals[v]);
-    result.features.push_back(cloud.features[v]);
-  }
+std::vector<Point> selected(const std::vector<Point>& points, const std::vector<int>& indices) {
+  std::vector<Point> result;
+  for (int v : indices) result.push_back(points[v]);
   return result;
 }
 
-/// For each vertex of the detail of `from` the closest one of the detail of `onto`, as vertices of
-/// the surface.
+/// For each vertex of the detail of `from` the closest one of the detail of `onto` in position,
+/// normal and features, as vertices of the surface.
 std::vector<int> closest_details(const Side& from, const Side& onto,
                                  const elastic::ProjectionWeights& weights,
                                  const Context& context) {
+  const std::vector<int>& queries = from.model.detail.surface_vertex;
   const std::vector<int>& vertices = onto.model.detail.surface_vertex;
-  const Cloud queries = selected(from.cloud, from.model.detail.surface_vertex);
-  const Cloud points = selected(onto.cloud, vertices);
-  const elastic::NearestPoint nearest(points.positions, points.normals, points.features, weights);
-  std::vector<int> closest(queries.positions.size());
+  const elastic::NearestPoint nearest(selected(onto.deformed.positions, vertices),
+                                      selected(onto.deformed.normals, vertices),
+                                      onto.deformed.features, weights);
+  std::vector<int> closest(queries.size());
 #pragma omp parallel for schedule(dynamic, 256) num_threads(context.threads)
-  for (int d = 0; d < queries.size(); ++d)
-    closest[d] = vertices[nearest(queries.positions[d], queries.normals[d], queries.features[d])];
+  for (std::size_t d = 0; d < queries.size(); ++d)
+    closest[d] = vertices[nearest(from.deformed.positions[queries[d]],
+                                  from.deformed.normals[queries[d]], from.deformed.features[d])];
   return closest;
 }
 
-/// The closest points of `onto`, with the faces as they are in its surface.
+/// Points of `onto` that are closest in space, found from those of the details; with the faces as
+/// they are in its surface.
 SurfaceMap project(const Side& from, const Side& onto, const elastic::ProjectionWeights& weights,
                    const Context& context) {
   const std::vector<int> starts = closest_details(from, onto, weights, context);
   const UnitSurface& surface = onto.model.surface;
-  const Mesh mesh{onto.cloud.positions, surface.mesh.faces};
-  const elastic::Descent descent(mesh, surface.faces, onto.cloud.normals, onto.cloud.features,
-                                 weights);
-  const Cloud& cloud = from.cloud;
-  SurfaceMap map(cloud.positions.size());
+  const Mesh mesh{onto.deformed.positions, surface.mesh.faces};
+  SurfaceMap map(from.deformed.positions.size());
 #pragma omp parallel for schedule(dynamic, 1024) num_threads(context.threads)
-  for (int v = 0; v < cloud.size(); ++v) {
-    const elastic::Foot foot = descent(starts[from.model.attachment.anchors[v]], cloud.positions[v],
-                                       cloud.normals[v], cloud.features[v]);
+  for (std::size_t v = 0; v < map.size(); ++v) {
+    const Point& p = from.deformed.positions[v];
+    const int vertex = elastic::descend(starts[from.model.anchors[v]], p, mesh, surface.faces);
+    const elastic::Foot foot =
+        elastic::foot_around(vertex, p, mesh, surface.faces, onto.deformed.normals);
     map[v] = {foot.face, foot.weights};
     if (surface.turned[foot.face]) std::swap(map[v].weights[1], map[v].weights[2]);
   }
@@ -70,7 +66,7 @@ SurfaceMap project(const Side& from, const Side& onto, const elastic::Projection
 
 /// Moves what is near a landmark along with it, so that the landmark arrives.
 void bend_to_landmarks(const Model& source, const Model& target, const Correspondence& landmarks,
-                       Cloud& deformed) {
+                       DeformedSurface& deformed) {
   constexpr double kReach = 0.05;
   std::vector<Point> moves;
   for (const Match& match : landmarks)
@@ -99,13 +95,13 @@ TrackedMap dense_map(const Track& track, const Model& target, const TrackerOptio
                      const Context& context) {
   const Model& source = *track.judged.source;
   const UnitSurface& goal = target.surface;
-  Cloud deformed = transfer(source, track.deformation, track.cloud.features, context);
+  DeformedSurface deformed = transfer(source, track.deformation, track.cloud.features, context);
   bend_to_landmarks(source, target, options.landmarks, deformed);
-  const Cloud rest{goal.mesh.vertices, goal.normals, target.attachment.features};
+  const DeformedSurface rest{goal.mesh.vertices, goal.normals, target.detail.features};
   const Side from{source, deformed}, onto{target, rest};
   TrackedMap map;
-  map.source_to_target = project(from, onto, options.late_projection, context);
-  map.target_to_source = project(onto, from, options.late_projection, context);
+  map.source_to_target = project(from, onto, options.fine_projection, context);
+  map.target_to_source = project(onto, from, options.fine_projection, context);
   for (const Match& match : options.landmarks)
     map.source_to_target[match.source] = point_at(goal, match.target);
   map.registered = std::move(deformed.positions);

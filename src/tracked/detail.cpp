@@ -12,7 +12,7 @@ namespace isomatch::tracked {
 namespace {
 
 /// For each vertex the vertex of the detail from which the fewest edges lead there.
-std::vector<int> anchors(const UnitSurface& surface, const Detail& detail) {
+std::vector<int> fewest_edges_away(const UnitSurface& surface, const Detail& detail) {
   std::vector<int> anchor(surface.mesh.vertices.size(), kNoVertex);
   std::vector<int> reached = detail.surface_vertex;
   reached.reserve(anchor.size());
@@ -28,19 +28,6 @@ std::vector<int> anchors(const UnitSurface& surface, const Detail& detail) {
     }
   }
   return anchor;
-}
-
-elastic::Features interpolated(const Detail& detail, const elastic::Foot& foot) {
-  elastic::Features result;
-  const Face& face = detail.mesh.faces[foot.face];
-  for (int corner = 0; corner < 3; ++corner) {
-    const elastic::Features& features = detail.features[face[corner]];
-    for (int k = 0; k < elastic::kReliefs; ++k)
-      result.relief[k] += foot.weights[corner] * features.relief[k];
-    for (int k = 0; k < elastic::kPlaces; ++k)
-      result.place[k] += foot.weights[corner] * features.place[k];
-  }
-  return result;
 }
 
 }  // namespace
@@ -63,21 +50,12 @@ void set_places(Detail& detail, const std::vector<int>& vertices, const Context&
     for (std::size_t v = 0; v < n; ++v) detail.features[v].place[k] = fields[k * n + v];
 }
 
-Attachment attach(const UnitSurface& surface, const Detail& detail, const Context& context) {
-  Attachment result{anchors(surface, detail), {}};
-  result.features.resize(result.anchors.size());
-  const std::vector<Point> no_normals(detail.mesh.vertices.size(), Point::Zero());
-  const elastic::Descent descent(detail.mesh, detail.faces, no_normals, detail.features,
-                                 {.normal = 0, .relief = 0, .place = 0});
+std::vector<int> anchors(const UnitSurface& surface, const Detail& detail, const Context& context) {
+  std::vector<int> anchor = fewest_edges_away(surface, detail);
 #pragma omp parallel for schedule(static) num_threads(context.threads)
-  for (std::size_t v = 0; v < result.anchors.size(); ++v) {
-    const Point& p = surface.mesh.vertices[v];
-    int& anchor = result.anchors[v];
-    anchor = descent.nearest_vertex(anchor, p, Point::Zero(), {});
-    result.features[v] = interpolated(
-        detail, elastic::foot_around(anchor, p, detail.mesh, detail.faces, no_normals));
-  }
-  return result;
+  for (std::size_t v = 0; v < anchor.size(); ++v)
+    anchor[v] = elastic::descend(anchor[v], surface.mesh.vertices[v], detail.mesh, detail.faces);
+  return anchor;
 }
 
 }  // namespace isomatch::tracked

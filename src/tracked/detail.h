@@ -29,15 +29,7 @@ Detail make_detail(const UnitSurface& surface, int vertices, const Context& cont
 /// The distances from these vertices of the detail, one for each place.
 void set_places(Detail& detail, const std::vector<int>& vertices, const Context& context);
 
-/// What the vertices of a surface have from its detail.
-struct Attachment {
-  /// A vertex of the detail close to each.
-  std::vector<int> anchors;
-  /// Interpolated between those of the detail.
-  std::vector<elastic::Features> features;
-};
-
-/// O(N).
-Attachment attach(const UnitSurface& surface, const Detail& detail, const Context& context);
+/// For each vertex of a surface a vertex of its detail that is close. O(N).
+std::vector<int> anchors(const UnitSurface& surface, const Detail& detail, const Context& context);
 
 }  // namespace isomatch::tracked

@@ -42,11 +42,11 @@ Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& op
   Detail detail = make_detail(unit, options.detail_vertices, context);
   Proxy proxy = make_proxy(detail, unit.oriented, options.proxy, context);
   set_places(detail, place_vertices(proxy), context);
-  Attachment attachment = attach(unit, detail, context);
+  std::vector<int> anchor = anchors(unit, detail, context);
   spectral::Eigenbasis basis = spectral::eigenbasis(proxy.mesh, options.last_basis);
   Model model{std::move(unit),
               std::move(detail),
-              std::move(attachment),
+              std::move(anchor),
               std::move(proxy),
               std::move(basis),
               {},

@@ -26,7 +26,8 @@ struct Level {
 struct Model {
   UnitSurface surface;
   Detail detail;
-  Attachment attachment;
+  /// For each vertex of the surface one of the detail that is close.
+  std::vector<int> anchors;
   Proxy proxy;
   spectral::Eigenbasis basis;
   Level coarse, middle, fine;

@@ -42,7 +42,8 @@ Tracking::Tracking(const Model& target, const TrackerOptions& options)
     : target_(target),
       options_(options),
       early_surface_(projection_onto(target.proxy, options.early_projection)),
-      late_surface_(projection_onto(target.proxy, options.late_projection)) {}
+      middle_surface_(projection_onto(target.proxy, options.middle_projection)),
+      fine_surface_(projection_onto(target.proxy, options.fine_projection)) {}
 
 Track Tracking::begin(const Judged& judged) const {
   const Level& middle = judged.source->middle;
@@ -93,14 +94,17 @@ std::vector<int> Tracking::spectral_step(const Track& track, const Level& wanted
                 {track.vertices, nearest_nodes(track)}, wanted.samples, basis_size(round));
 }
 
+bool Tracking::is_fine(const Track& track) { return track.source == &track.judged.source->fine; }
+
 /// For each target node the nearest node of the deformed source.
 std::vector<int> Tracking::nearest_nodes(const Track& track) const {
   const elastic::Deformation& deformation = track.deformation;
   std::vector<Point> normals;
   for (int i = 0; i < deformation.size(); ++i)
     normals.push_back(deformation.rotations()[i] * track.cloud.normals[i]);
-  const elastic::NearestPoint nearest_source(deformation.positions(), normals, track.cloud.features,
-                                             options_.late_projection);
+  const elastic::NearestPoint nearest_source(
+      deformation.positions(), normals, track.cloud.features,
+      is_fine(track) ? options_.fine_projection : options_.middle_projection);
   const elastic::PointCloud& target = track.target->graph.cloud;
   std::vector<int> nearest;
   for (int i = 0; i < track.target->size(); ++i)
@@ -112,7 +116,7 @@ void Tracking::run_round(Track& track, int round) const {
   elastic::RegistrationOptions step = options_.alternation;
   step.first_length = step.last_length =
       between(step.first_length, step.last_length, progress(round));
-  advance(track, late_surface_, step);
+  advance(track, is_fine(track) ? fine_surface_ : middle_surface_, step);
 }
 
 void Tracking::advance(Track& track, const elastic::Projection& onto,

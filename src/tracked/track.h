@@ -43,6 +43,7 @@ class Tracking {
                      std::vector<int> vertices);
   Track registered(const Judged& judged, const Level& source, const Level& target) const;
   std::vector<int> spectral_step(const Track& track, const Level& wanted, int round) const;
+  static bool is_fine(const Track& track);
   std::vector<int> nearest_nodes(const Track& track) const;
   void run_round(Track& track, int round) const;
   void advance(Track& track, const elastic::Projection& onto,
@@ -52,7 +53,7 @@ class Tracking {
 
   const Model& target_;
   const TrackerOptions& options_;
-  elastic::Projection early_surface_, late_surface_;
+  elastic::Projection early_surface_, middle_surface_, fine_surface_;
 };
 
 /// Root mean square distance between the images of the nodes, on one level.

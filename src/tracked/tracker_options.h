@@ -25,8 +25,9 @@ struct TrackerOptions {
   bool elastic_judging = true;
   /// Vertices of the surfaces that match.
   Correspondence landmarks;
-  /// As long as limbs may be matched wrongly, and from then on.
-  elastic::ProjectionWeights early_projection, late_projection{.place = 0.05};
+  /// As long as limbs may be matched wrongly, on the middle level, and on the fine level.
+  elastic::ProjectionWeights early_projection, middle_projection{.place = 0.05},
+      fine_projection{.normal = 0.05, .relief = 0.1, .place = 0.05};
   elastic::RegistrationOptions judging{.first_length = 0.3,
                                        .last_length = 0.04,
                                        .anchor_steps = 3,

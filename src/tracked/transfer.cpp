@@ -15,7 +15,7 @@ std::vector<int> nearest_nodes(const Model& model, int nodes) {
   return GeodesicSearch(model.detail.graph).nearest_source(sources).nearest;
 }
 
-/// Moves points along with a node and the nodes around it, by their distances at rest.
+/// Means over a node and those around it, by their distances at rest from a point.
 class Blend {
  public:
   Blend(const elastic::Deformation& deformation, const std::vector<elastic::Features>& features)
@@ -24,38 +24,39 @@ class Blend {
       rotations_.push_back(rotation.toRotationMatrix());
   }
 
-  void move(int nearest, Point& position, Point& normal, elastic::Features& features) const {
-    const double reach = 1.01 * reach_of(nearest, position) + 1e-12;
-    Sum sum;
-    add(nearest, position, normal, reach, sum);
-    for (int j : deformation_.neighbours()[nearest]) add(j, position, normal, reach, sum);
-    position = sum.position / sum.weight;
-    normal = sum.normal.normalized();
-    for (int k = 0; k < elastic::kPlaces; ++k) features.place[k] = sum.place[k] / sum.weight;
+  /// Moves a point along with the nodes.
+  void move(int nearest, Point& position, Point& normal) const {
+    Point moved(0, 0, 0), turned(0, 0, 0);
+    for_each_weight(nearest, position, [&](int node, double weight) {
+      const Point offset = position - deformation_.rest()[node];
+      moved += weight * (rotations_[node] * offset + deformation_.positions()[node]);
+      turned += weight * (rotations_[node] * normal);
+    });
+    position = moved;
+    normal = turned.normalized();
+  }
+
+  std::array<double, elastic::kPlaces> place(int nearest, const Point& position) const {
+    std::array<double, elastic::kPlaces> mean{};
+    for_each_weight(nearest, position, [&](int node, double weight) {
+      for (int k = 0; k < elastic::kPlaces; ++k) mean[k] += weight * features_[node].place[k];
+    });
+    return mean;
   }
 
  private:
-  struct Sum {
-    double weight = 0;
-    Point position{0, 0, 0}, normal{0, 0, 0};
-    std::array<double, elastic::kPlaces> place{};
-  };
-
-  double reach_of(int nearest, const Point& p) const {
-    double reach = (p - deformation_.rest()[nearest]).norm();
-    for (int j : deformation_.neighbours()[nearest])
-      reach = std::max(reach, (p - deformation_.rest()[j]).norm());
-    return reach;
-  }
-
-  void add(int node, const Point& position, const Point& normal, double reach, Sum& sum) const {
-    const Point offset = position - deformation_.rest()[node];
-    const double share = 1 - offset.norm() / reach;
-    const double weight = share * share;
-    sum.weight += weight;
-    for (int k = 0; k < elastic::kPlaces; ++k) sum.place[k] += weight * features_[node].place[k];
-    sum.position += weight * (rotations_[node] * offset + deformation_.positions()[node]);
-    sum.normal += weight * (rotations_[node] * normal);
+  template <class Visit>
+  void for_each_weight(int nearest, const Point& position, const Visit& visit) const {
+    const auto distance = [&](int node) { return (position - deformation_.rest()[node]).norm(); };
+    const auto neighbours = deformation_.neighbours()[nearest];
+    double reach = distance(nearest);
+    for (int j : neighbours) reach = std::max(reach, distance(j));
+    reach = 1.01 * reach + 1e-12;
+    const auto weight = [&](int node) { return std::pow(1 - distance(node) / reach, 2); };
+    double total = weight(nearest);
+    for (int j : neighbours) total += weight(j);
+    visit(nearest, weight(nearest) / total);
+    for (int j : neighbours) visit(j, weight(j) / total);
   }
 
   const elastic::Deformation& deformation_;
@@ -65,18 +66,18 @@ class Blend {
 
 }  // namespace
 
-elastic::Cloud transfer(const Model& model, const elastic::Deformation& deformation,
-                        const std::vector<elastic::Features>& node_features,
-                        const Context& context) {
+DeformedSurface transfer(const Model& model, const elastic::Deformation& deformation,
+                         const std::vector<elastic::Features>& node_features,
+                         const Context& context) {
   const std::vector<int> nearest = nearest_nodes(model, deformation.size());
   const Blend blend(deformation, node_features);
-  elastic::Cloud cloud{model.surface.mesh.vertices, model.surface.normals,
-                       model.attachment.features};
+  DeformedSurface result{model.surface.mesh.vertices, model.surface.normals, model.detail.features};
+  for (std::size_t d = 0; d < nearest.size(); ++d)
+    result.features[d].place = blend.place(nearest[d], model.detail.mesh.vertices[d]);
 #pragma omp parallel for schedule(static) num_threads(context.threads)
-  for (int v = 0; v < cloud.size(); ++v)
-    blend.move(nearest[model.attachment.anchors[v]], cloud.positions[v], cloud.normals[v],
-               cloud.features[v]);
-  return cloud;
+  for (std::size_t v = 0; v < result.positions.size(); ++v)
+    blend.move(nearest[model.anchors[v]], result.positions[v], result.normals[v]);
+  return result;
 }
 
 }  // namespace isomatch::tracked

@@ -5,17 +5,22 @@
 #include <vector>
 
 #include "elastic/deformation.h"
-#include "elastic/nearest_point.h"
 #include "isomatch/context.h"
 #include "tracked/model.h"
 
 namespace isomatch::tracked {
 
+/// A deformed surface: positions and normals of its vertices, and, of those that its detail has,
+/// the relief at rest and the places on the target where they went.
+struct DeformedSurface {
+  std::vector<Point> positions, normals;
+  std::vector<elastic::Features> features;
+};
+
 /// Carries a deformation of the first nodes of a model, and the places where they went, over to all
-/// vertices of its surface: their positions and normals then, their relief at rest, and where they
-/// went. O(N log N).
-elastic::Cloud transfer(const Model& model, const elastic::Deformation& deformation,
-                        const std::vector<elastic::Features>& node_features,
-                        const Context& context);
+/// vertices of its surface. O(N log N).
+DeformedSurface transfer(const Model& model, const elastic::Deformation& deformation,
+                         const std::vector<elastic::Features>& node_features,
+                         const Context& context);
 
 }  // namespace isomatch::tracked

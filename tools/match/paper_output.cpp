@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "isomatch/map_io.h"
@@ -90,7 +91,7 @@ Json levels_json(const PaperResult& result) {
   return levels;
 }
 
-Json report_json(const PaperRun& run) {
+Json report_json(const PaperRun& run, const std::vector<StageTime>& times) {
   const PaperLevel& last = run.result.levels.back();
   Json report = report_head(run.inputs, run.options);
   report["source"]["max_geodesic"] = run.max_geodesics[0];
@@ -100,7 +101,7 @@ Json report_json(const PaperRun& run) {
                  {"matches", last.matches.size()},
                  {"distortion", distortion_json(last.distortion)},
                  {"many_to_one_distortion", distortion_json(last.many_to_one_distortion)}});
-  report.update(report_tail(run.inputs.times, run.result.times));
+  report.update(report_tail(times));
   return report;
 }
 
@@ -120,16 +121,21 @@ void write_levels(ResultFolder& folder, const PaperResult& result, const InputNu
 }  // namespace
 
 void write_paper(const std::string& path, const PaperRun& run) {
+  std::vector<StageTime> times = run.inputs.times;
+  std::ranges::copy(run.result.times, std::back_inserter(times));
   ResultFolder folder(path);
-  const InputNumbers numbers(run);
-  const PaperLevel& last = run.result.levels.back();
-  const MeasuredMatches final_matches = numbers.translate(last.matches, last.distortion);
-  write_levels(folder, run.result, numbers);
-  write_correspondence(folder.add("correspondence.txt"), final_matches.matches,
-                       final_matches.distortion);
-  write_source_to_target(folder.add("source_to_target.txt"), numbers.source_to_target());
-  folder.write_json("levels.json", levels_json(run.result));
-  folder.write_report(report_json(run));
+  {
+    const StageTimer timer(times, "writing");
+    const InputNumbers numbers(run);
+    const PaperLevel& last = run.result.levels.back();
+    const MeasuredMatches final_matches = numbers.translate(last.matches, last.distortion);
+    write_levels(folder, run.result, numbers);
+    write_correspondence(folder.add("correspondence.txt"), final_matches.matches,
+                         final_matches.distortion);
+    write_source_to_target(folder.add("source_to_target.txt"), numbers.source_to_target());
+    folder.write_json("levels.json", levels_json(run.result));
+  }
+  folder.write_report(report_json(run, times));
 }
 
 }  // namespace isomatch::cli

@@ -3,7 +3,6 @@
 #include "match/report.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include "isomatch/version.h"
 
@@ -18,13 +17,6 @@ Json input_json(const MatchInput& input) {
   return json;
 }
 
-/// Of this process so far, in MiB.
-double peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
 }  // namespace
 
 Json report_head(const MatchInputs& inputs, const Json& options) {
@@ -36,11 +28,15 @@ Json report_head(const MatchInputs& inputs, const Json& options) {
           {"target", input_json(inputs.target)}};
 }
 
-Json report_tail(const std::vector<StageTime>& loading, const std::vector<StageTime>& matching) {
-  Json seconds = Json::object();
-  for (const StageTime& time : loading) seconds[time.stage] = time.seconds;
-  for (const StageTime& time : matching) seconds[time.stage] = time.seconds;
-  return {{"seconds", seconds}, {"peak_memory_mib", peak_memory()}};
+Json report_tail(const std::vector<StageTime>& times) {
+  Json seconds = Json::object(), peaks = Json::object();
+  for (const StageTime& time : times) {
+    seconds[time.stage] = time.seconds;
+    peaks[time.stage] = time.peak_memory_mib;
+  }
+  return {{"seconds", seconds},
+          {"peak_memory_mib", peak_memory_mib()},
+          {"peak_memory_mib_after", peaks}};
 }
 
 Json options_json(const MatchArguments& arguments, const std::string& method) {

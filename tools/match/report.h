@@ -12,8 +12,7 @@ namespace isomatch::cli {
 
 /// The fields that every report begins and ends with.
 Json report_head(const MatchInputs& inputs, const Json& options);
-/// `loading` and `matching` are the times of their stages.
-Json report_tail(const std::vector<StageTime>& loading, const std::vector<StageTime>& matching);
+Json report_tail(const std::vector<StageTime>& times);
 
 /// Options of every method as they go into the report.
 Json options_json(const MatchArguments& arguments, const std::string& method);

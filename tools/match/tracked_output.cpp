@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "isomatch/map_io.h"
 #include "isomatch/topology.h"
@@ -87,7 +88,8 @@ Json hypotheses_json(const std::vector<HypothesisSummary>& hypotheses) {
   return json;
 }
 
-Json report_json(const TrackedRun& run, std::size_t num_matches) {
+Json report_json(const TrackedRun& run, std::size_t num_matches,
+                 const std::vector<StageTime>& times) {
   const TrackedResult& result = run.result;
   const int matched = matched_vertices(run, result.maps.front());
   Json report = report_head(run.inputs, run.options);
@@ -100,7 +102,7 @@ Json report_json(const TrackedRun& run, std::size_t num_matches) {
                  {"oriented", result.oriented},
                  {"alternatives", alternatives_json(result.maps)},
                  {"hypotheses", hypotheses_json(result.hypotheses)}});
-  report.update(report_tail(run.inputs.times, result.times));
+  report.update(report_tail(times));
   return report;
 }
 
@@ -112,13 +114,20 @@ int matched_vertices(const TrackedRun& run, const TrackedMap& map) {
 
 void write_tracked(const std::string& path, const TrackedRun& run) {
   const std::vector<TrackedMap>& maps = run.result.maps;
+  std::vector<StageTime> times = run.inputs.times;
+  std::ranges::copy(run.result.times, std::back_inserter(times));
   ResultFolder folder(path);
-  write_map(folder, "", run, maps.front());
-  const Correspondence relation = input_matches(run.inputs, maps.front());
-  write_correspondence(folder.add("correspondence.txt"), relation);
-  for (std::size_t k = 1; k < maps.size(); ++k)
-    write_map(folder, alternative_folder(k) + "/", run, maps[k]);
-  folder.write_report(report_json(run, relation.size()));
+  std::size_t num_matches = 0;
+  {
+    const StageTimer timer(times, "writing");
+    write_map(folder, "", run, maps.front());
+    const Correspondence relation = input_matches(run.inputs, maps.front());
+    write_correspondence(folder.add("correspondence.txt"), relation);
+    num_matches = relation.size();
+    for (std::size_t k = 1; k < maps.size(); ++k)
+      write_map(folder, alternative_folder(k) + "/", run, maps[k]);
+  }
+  folder.write_report(report_json(run, num_matches, times));
 }
 
 }  // namespace isomatch::cli

@@ -30,7 +30,7 @@ elastic::Deformation deformation_of(const Model& model) {
   return {std::move(graph.cloud.positions), std::move(graph.neighbours)};
 }
 
-elastic::Cloud transferred(const Model& model, const elastic::Deformation& deformation) {
+DeformedSurface transferred(const Model& model, const elastic::Deformation& deformation) {
   return transfer(model, deformation, node_graph(model.proxy, deformation.size()).cloud.features,
                   {});
 }
@@ -46,7 +46,7 @@ TEST(Transfer, CarriesARigidMotionExactly) {
     for (Point& p : moved) p = rotation * p + shift;
     deformation.set_positions(moved);
     for (int i = 0; i < 50; ++i) deformation.fit_rotations(0);
-    const elastic::Cloud result = transferred(model, deformation);
+    const DeformedSurface result = transferred(model, deformation);
     ASSERT_EQ(result.positions.size(), model.surface.mesh.num_vertices());
     for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
       const Point expected = rotation * model.surface.mesh.vertices[v] + shift;
@@ -58,8 +58,8 @@ TEST(Transfer, CarriesARigidMotionExactly) {
 
 TEST(Transfer, OfTheRestPoseChangesNothing) {
   const Model model = small_model(test::torus(60, 30));
-  const elastic::Cloud result = transferred(model, deformation_of(model));
-  ASSERT_EQ(result.features.size(), model.surface.mesh.num_vertices());
+  const DeformedSurface result = transferred(model, deformation_of(model));
+  ASSERT_EQ(result.features.size(), model.detail.mesh.num_vertices());
   for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
     EXPECT_LT((result.positions[v] - model.surface.mesh.vertices[v]).norm(), 1e-12);
     EXPECT_LT((result.normals[v] - model.surface.normals[v]).norm(), 1e-12);
@@ -76,7 +76,7 @@ TEST(Transfer, FollowsASmoothBend) {
   for (Point& p : positions) p = rolled(p);
   deformation.set_positions(positions);
   for (int i = 0; i < 50; ++i) deformation.fit_rotations(0);
-  const elastic::Cloud result = transferred(model, deformation);
+  const DeformedSurface result = transferred(model, deformation);
   for (int v = 0; v < model.surface.mesh.num_vertices(); ++v)
     EXPECT_LT((result.positions[v] - rolled(model.surface.mesh.vertices[v])).norm(), 0.01);
 }
@@ -85,7 +85,7 @@ TEST(Transfer, OfTinyMeshes) {
   const Mesh triangle{{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
   for (const Mesh& mesh : {triangle, test::tetrahedron()}) {
     const Model model = small_model(mesh);
-    const elastic::Cloud result = transferred(model, deformation_of(model));
+    const DeformedSurface result = transferred(model, deformation_of(model));
     for (int v = 0; v < model.surface.mesh.num_vertices(); ++v)
       EXPECT_LT((result.positions[v] - model.surface.mesh.vertices[v]).norm(), 1e-9);
   }

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "isomatch/diagnosis.h"
+#include "isomatch/synth.h"
+#include "tracked/dense_map.h"
+#include "tracked/tracker.h"
+
+namespace isomatch::tracked {
+namespace {
+
+Mesh creature(int vertices, int pose) {
+  return synthesize({.vertices = vertices, .pose = pose}).mesh;
+}
+
+/// A pair of creatures after every stage, made anew when a benchmark of another size begins.
+struct Pair {
+  explicit Pair(int vertices)
+      : source(make_model(extract_surface(creature(vertices, 1)), false, options, {})),
+        target(make_model(extract_surface(creature(vertices, 2)), false, options, {})),
+        judged(judged_hypotheses(source, target, options, {})),
+        finals(run_finals(target, judged, options, {})) {}
+
+  TrackerOptions options;
+  Model source, target;
+  std::vector<Judged> judged;
+  Finals finals;
+};
+
+const Pair& pair(benchmark::State& state) {
+  static std::pair<int, std::unique_ptr<Pair>> latest;
+  const int vertices = static_cast<int>(state.range(0));
+  if (latest.first != vertices) latest = {vertices, std::make_unique<Pair>(vertices)};
+  return *latest.second;
+}
+
+void inspection(benchmark::State& state) {
+  const Mesh mesh = creature(static_cast<int>(state.range(0)), 1);
+  for (auto _ : state) benchmark::DoNotOptimize(inspect(mesh));
+}
+
+void unit(benchmark::State& state) {
+  const Surface surface = extract_surface(creature(static_cast<int>(state.range(0)), 1));
+  for (auto _ : state) benchmark::DoNotOptimize(unit_surface(surface));
+}
+
+void detail(benchmark::State& state) {
+  const Pair& given = pair(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(make_detail(given.source.surface, given.options.detail_vertices, {}));
+}
+
+void anchoring(benchmark::State& state) {
+  const Pair& given = pair(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(anchors(given.source.surface, given.source.detail, {}));
+}
+
+void proxy(benchmark::State& state) {
+  const Pair& given = pair(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        make_proxy(given.source.detail, given.source.surface.oriented, given.options.proxy, {}));
+}
+
+void basis(benchmark::State& state) {
+  const Pair& given = pair(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        spectral::eigenbasis(given.source.proxy.mesh, given.options.last_basis));
+}
+
+void hypotheses(benchmark::State& state) {
+  const Pair& given = pair(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(judged_hypotheses(given.source, given.target, given.options, {}));
+}
+
+void refinement(benchmark::State& state) {
+  const Pair& given = pair(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(run_finals(given.target, given.judged, given.options, {}));
+}
+
+void dense(benchmark::State& state) {
+  const Pair& given = pair(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        dense_map(given.finals.tracks.front(), given.target, given.options, {}));
+}
+
+/// Size by size, so that each pair is prepared once.
+int register_all() {
+  const std::pair<const char*, void (*)(benchmark::State&)> stages[] = {
+      {"inspection", inspection}, {"unit surface", unit},     {"detail", detail},
+      {"anchors", anchoring},     {"proxy", proxy},           {"basis", basis},
+      {"hypotheses", hypotheses}, {"refinement", refinement}, {"dense map", dense}};
+  for (const int vertices : {5'000, 40'000, 200'000, 1'000'000}) {
+    for (const auto& [name, stage] : stages)
+      benchmark::RegisterBenchmark((std::string("tracked/") + name).c_str(), stage)
+          ->Arg(vertices)
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime();
+  }
+  return 0;
+}
+
+const int kRegistered = register_all();
+
+}  // namespace
+}  // namespace isomatch::tracked
