@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <memory>
 
 #include "input_file.h"
 #include "isomatch/atomic_file.h"
@@ -55,8 +56,8 @@ double read_value(TextCursor& cursor) {
 
 Influence read_influence(const TextCursor& before, std::string_view word) {
   Influence influence{};
-  const char* const end = word.data() + word.size();
-  const auto bone = std::from_chars(word.data(), end, influence.bone);
+  const char* const end = std::to_address(word.end());
+  const auto bone = std::from_chars(std::to_address(word.begin()), end, influence.bone);
   const bool separated = bone.ec == std::errc() && bone.ptr != end && *bone.ptr == ':';
   const auto weight = std::from_chars(separated ? bone.ptr + 1 : end, end, influence.weight);
   if (!separated || weight.ec != std::errc() || weight.ptr != end || influence.bone < 0)
