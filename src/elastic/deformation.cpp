@@ -13,7 +13,7 @@ const double kEdgeWeight = 1 / std::sqrt(3.0);
 /// Turns `rotation` to the rotation closest to `m` (Mueller et al. 2016).
 void extract_rotation(const Eigen::Matrix3d& m, Eigen::Quaterniond& rotation) {
   constexpr int kMaxIterations = 30;
-  constexpr double kTolerance = 1e-4;  // Rotations and positions are fitted in turn anyway.
+  constexpr double kTolerance = 5e-7;
   for (int i = 0; i < kMaxIterations; ++i) {
     const Eigen::Matrix3d r = rotation.toRotationMatrix();
     const Point axis =

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <vector>
-
 #include "isomatch/mesh.h"
 #include "isomatch/topology.h"
 

@@ -4,8 +4,6 @@
 
 #include <array>
 
-#include "isomatch/mesh.h"
-
 namespace isomatch::elastic {
 
 /// What tells points of a surface apart besides position and normal: how far they stand out at
@@ -25,21 +23,5 @@ struct ProjectionWeights {
   double relief = 0.05;
   double place = 0;
 };
-
-/// A point such that the distance of two is what their positions and all other differences, as
-/// weighted, amount to.
-using Coordinates = std::array<double, 6 + kFeatures>;
-
-inline Coordinates coordinates(const Point& position, const Point& normal, const Features& features,
-                               const ProjectionWeights& weights) {
-  Coordinates result{};
-  for (int k = 0; k < 3; ++k) {
-    result[k] = position[k];
-    result[3 + k] = weights.normal * normal[k];
-  }
-  for (int k = 0; k < kReliefs; ++k) result[6 + k] = weights.relief * features.relief[k];
-  for (int k = 0; k < kPlaces; ++k) result[6 + kReliefs + k] = weights.place * features.place[k];
-  return result;
-}
 
 }  // namespace isomatch::elastic

@@ -2,9 +2,30 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "elastic/nearest_point.h"
 
+#include <array>
 #include <nanoflann.hpp>
+#include <tuple>
 
 namespace isomatch::elastic {
+namespace {
+
+/// A point such that the distance of two is what their positions and all other differences, as
+/// weighted, amount to.
+using Coordinates = std::array<double, 6 + kFeatures>;
+
+Coordinates coordinates(const Point& position, const Point& normal, const Features& features,
+                        const ProjectionWeights& weights) {
+  Coordinates result{};
+  for (int k = 0; k < 3; ++k) {
+    result[k] = position[k];
+    result[3 + k] = weights.normal * normal[k];
+  }
+  for (int k = 0; k < kReliefs; ++k) result[6 + k] = weights.relief * features.relief[k];
+  for (int k = 0; k < kPlaces; ++k) result[6 + kReliefs + k] = weights.place * features.place[k];
+  return result;
+}
+
+}  // namespace
 
 struct NearestPoint::Index {
   static constexpr int kDimensions = std::tuple_size_v<Coordinates>;

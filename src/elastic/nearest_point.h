@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "elastic/features.h"
+#include "isomatch/mesh.h"
 
 namespace isomatch::elastic {
 

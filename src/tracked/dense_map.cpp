@@ -20,12 +20,6 @@ struct Side {
   const DeformedSurface& deformed;
 };
 
-std::vector<Point> selected(const std::vector<Point>& points, const std::vector<int>& indices) {
-  std::vector<Point> result;
-  for (int v : indices) result.push_back(points[v]);
-  return result;
-}
-
 /// For each vertex of the detail of `from` the closest one of the detail of `onto` in position,
 /// normal and features, as vertices of the surface.
 std::vector<int> closest_details(const Side& from, const Side& onto,
@@ -44,8 +38,14 @@ std::vector<int> closest_details(const Side& from, const Side& onto,
   return closest;
 }
 
-/// Points of `onto` that are closest in space, found from those of the details; with the faces as
-/// they are in its surface.
+/// The same point with the faces as they are in the surface.
+SurfacePoint in_surface(const elastic::Foot& foot, const UnitSurface& surface) {
+  SurfacePoint point{foot.face, foot.weights};
+  if (surface.turned[foot.face]) std::swap(point.weights[1], point.weights[2]);
+  return point;
+}
+
+/// Points of `onto` that are closest in space, found from those of the details.
 SurfaceMap project(const Side& from, const Side& onto, const elastic::ProjectionWeights& weights,
                    const Context& context) {
   const std::vector<int> starts = closest_details(from, onto, weights, context);
@@ -58,8 +58,7 @@ SurfaceMap project(const Side& from, const Side& onto, const elastic::Projection
     const int vertex = elastic::descend(starts[from.model.anchors[v]], p, mesh, surface.faces);
     const elastic::Foot foot =
         elastic::foot_around(vertex, p, mesh, surface.faces, onto.deformed.normals);
-    map[v] = {foot.face, foot.weights};
-    if (surface.turned[foot.face]) std::swap(map[v].weights[1], map[v].weights[2]);
+    map[v] = in_surface(foot, surface);
   }
   return map;
 }
@@ -80,15 +79,6 @@ void bend_to_landmarks(const Model& source, const Model& target, const Correspon
   }
 }
 
-/// The point of a surface at a vertex, with the faces as they are in the surface.
-SurfacePoint point_at(const UnitSurface& surface, int vertex) {
-  SurfacePoint point{surface.faces[vertex].front(), {}};
-  const Face& face = surface.mesh.faces[point.face];
-  point.weights[std::ranges::find(face, vertex) - face.begin()] = 1;
-  if (surface.turned[point.face]) std::swap(point.weights[1], point.weights[2]);
-  return point;
-}
-
 }  // namespace
 
 TrackedMap dense_map(const Track& track, const Model& target, const TrackerOptions& options,
@@ -103,7 +93,10 @@ TrackedMap dense_map(const Track& track, const Model& target, const TrackerOptio
   map.source_to_target = project(from, onto, options.fine_projection, context);
   map.target_to_source = project(onto, from, options.fine_projection, context);
   for (const Match& match : options.landmarks)
-    map.source_to_target[match.source] = point_at(goal, match.target);
+    map.source_to_target[match.source] =
+        in_surface(elastic::foot_around(match.target, goal.mesh.vertices[match.target], goal.mesh,
+                                        goal.faces, goal.normals),
+                   goal);
   map.registered = std::move(deformed.positions);
   for (Point& p : map.registered) p = p * goal.scale + goal.centre;
   map.energy = track.registration.energy;

@@ -43,7 +43,7 @@ double energy(const Model& source, const Model& target, const Hypothesis& hypoth
       target.proxy, densify(source.proxy, target.proxy, hypothesis, source.coarse.size()));
   set_places(cloud, target.proxy, vertices);
   elastic::Deformation deformation(cloud.positions, source.coarse.graph.neighbours);
-  return register_onto(cloud, deformation, surface, positions_of(target.proxy.mesh, vertices),
+  return register_onto(cloud, deformation, surface, selected(target.proxy.mesh.vertices, vertices),
                        options.judging)
       .energy;
 }

@@ -72,10 +72,10 @@ std::vector<int> node_vertices(const Proxy& proxy, std::vector<int> nodes) {
   return nodes;
 }
 
-std::vector<Point> positions_of(const Mesh& mesh, const std::vector<int>& vertices) {
-  std::vector<Point> positions;
-  for (int v : vertices) positions.push_back(mesh.vertices[v]);
-  return positions;
+std::vector<Point> selected(const std::vector<Point>& points, const std::vector<int>& indices) {
+  std::vector<Point> result;
+  for (int i : indices) result.push_back(points[i]);
+  return result;
 }
 
 elastic::Projection projection_onto(const Proxy& proxy, const elastic::ProjectionWeights& weights) {

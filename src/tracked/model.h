@@ -41,9 +41,11 @@ Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& op
 /// The node that is closest in space.
 int nearest_node(const Model& model, int surface_vertex);
 
-/// Vertices of the proxy and where they are.
+/// Vertices of the proxy.
 std::vector<int> node_vertices(const Proxy& proxy, std::vector<int> nodes);
-std::vector<Point> positions_of(const Mesh& mesh, const std::vector<int>& vertices);
+
+/// Those of `points` that are asked for, in that order.
+std::vector<Point> selected(const std::vector<Point>& points, const std::vector<int>& indices);
 
 elastic::Projection projection_onto(const Proxy& proxy, const elastic::ProjectionWeights& weights);
 

@@ -123,8 +123,8 @@ void Tracking::advance(Track& track, const elastic::Projection& onto,
                        const elastic::RegistrationOptions& step) const {
   set_places(track.cloud, target_.proxy, track.vertices);
   track.registration = register_onto(
-      track.cloud, track.deformation, onto, positions_of(target_.proxy.mesh, track.vertices), step,
-      landmark_pins(*track.judged.source, target_, track.source->size(), options_.landmarks));
+      track.cloud, track.deformation, onto, selected(target_.proxy.mesh.vertices, track.vertices),
+      step, landmark_pins(*track.judged.source, target_, track.source->size(), options_.landmarks));
   track.vertices = foot_vertices(target_.proxy.mesh, track.registration.feet);
   set_places(track.cloud, target_.proxy, track.vertices);
 }

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 #include "isomatch/map_io.h"
@@ -121,8 +120,7 @@ void write_levels(ResultFolder& folder, const PaperResult& result, const InputNu
 }  // namespace
 
 void write_paper(const std::string& path, const PaperRun& run) {
-  std::vector<StageTime> times = run.inputs.times;
-  std::ranges::copy(run.result.times, std::back_inserter(times));
+  std::vector<StageTime> times = joined(run.inputs.times, run.result.times);
   ResultFolder folder(path);
   {
     const StageTimer timer(times, "writing");

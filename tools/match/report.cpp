@@ -28,6 +28,12 @@ Json report_head(const MatchInputs& inputs, const Json& options) {
           {"target", input_json(inputs.target)}};
 }
 
+std::vector<StageTime> joined(std::vector<StageTime> loading,
+                              const std::vector<StageTime>& matching) {
+  loading.insert(loading.end(), matching.begin(), matching.end());
+  return loading;
+}
+
 Json report_tail(const std::vector<StageTime>& times) {
   Json seconds = Json::object(), peaks = Json::object();
   for (const StageTime& time : times) {

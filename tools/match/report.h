@@ -12,6 +12,9 @@ namespace isomatch::cli {
 
 /// The fields that every report begins and ends with.
 Json report_head(const MatchInputs& inputs, const Json& options);
+/// The stages of loading, then those of matching.
+std::vector<StageTime> joined(std::vector<StageTime> loading,
+                              const std::vector<StageTime>& matching);
 Json report_tail(const std::vector<StageTime>& times);
 
 /// Options of every method as they go into the report.

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "isomatch/map_io.h"
 #include "isomatch/topology.h"
@@ -114,8 +113,7 @@ int matched_vertices(const TrackedRun& run, const TrackedMap& map) {
 
 void write_tracked(const std::string& path, const TrackedRun& run) {
   const std::vector<TrackedMap>& maps = run.result.maps;
-  std::vector<StageTime> times = run.inputs.times;
-  std::ranges::copy(run.result.times, std::back_inserter(times));
+  std::vector<StageTime> times = joined(run.inputs.times, run.result.times);
   ResultFolder folder(path);
   std::size_t num_matches = 0;
   {

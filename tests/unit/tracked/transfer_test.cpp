@@ -50,9 +50,8 @@ TEST(Transfer, CarriesARigidMotionExactly) {
     ASSERT_EQ(result.positions.size(), model.surface.mesh.num_vertices());
     for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
       const Point expected = rotation * model.surface.mesh.vertices[v] + shift;
-      // Rotations turn by less than 1e-4 in the last step, and are right up to some 1e-3.
-      EXPECT_LT((result.positions[v] - expected).norm(), 1e-4);
-      EXPECT_LT((result.normals[v] - rotation * model.surface.normals[v]).norm(), 3e-3);
+      EXPECT_LT((result.positions[v] - expected).norm(), 1e-5);
+      EXPECT_LT((result.normals[v] - rotation * model.surface.normals[v]).norm(), 1e-4);
     }
   }
 }
