@@ -77,7 +77,7 @@ test_viewer() {
     check "viewer in a browser" npm --prefix viewer run test:browser || true
 }
 
-sections=(build test)
+sections=(build python test)
 [ "$lint" != true ] || sections+=(lint)
 
 check "packages" scripts/install_packages.sh "${sections[@]}" || exit 1

@@ -10,17 +10,34 @@
 namespace isomatch::cli {
 namespace {
 
+std::vector<int> read_target_truth(const Shape& target, const std::string& file,
+                                   const std::string& source_file, std::size_t points) {
+  if (file.empty()) return {};
+  std::vector<int> vertices = read_vts(file, input_vertex_count(target));
+  if (vertices.size() != points)
+    throw BadFile(file, fmt::format("{} template points, but {} has {}", vertices.size(),
+                                    source_file, points));
+  return vertices;
+}
+
+TruthVertices read_truth(const Shape& source, const Shape& target, const TruthFiles& files) {
+  if (files.target.empty()) return {};
+  TruthVertices truth;
+  truth.source = read_vts(files.source, input_vertex_count(source));
+  const auto read = [&](const std::string& file) {
+    return read_target_truth(target, file, files.source, truth.source.size());
+  };
+  truth.target = read(files.target);
+  truth.symmetric_target = read(files.symmetric_target);
+  return truth;
+}
+
 std::optional<TruthEvaluation> evaluate_truth(const Shape& source, const Shape& target,
                                               const MeasuredMap& map,
-                                              const std::string& source_file,
-                                              const std::string& target_file,
+                                              const std::vector<int>& at_source,
+                                              const std::vector<int>& at_target,
                                               const TruthOptions& options, const Context& context) {
-  if (target_file.empty()) return std::nullopt;
-  const std::vector<int> at_source = read_vts(source_file, input_vertex_count(source));
-  const std::vector<int> at_target = read_vts(target_file, input_vertex_count(target));
-  if (at_source.size() != at_target.size())
-    throw BadFile(target_file, fmt::format("{} template points, but {} has {}", at_target.size(),
-                                           source_file, at_source.size()));
+  if (at_target.empty()) return std::nullopt;
   const GroundTruth truth = surface_truth(source.surface, target.surface, at_source, at_target);
   TruthEvaluation result{at_source.size(), truth.size(), {}, {}, {}};
   result.template_errors = template_errors(target, truth, map.matches, options, context);
@@ -53,20 +70,26 @@ int input_vertex_count(const Shape& shape) {
 }
 
 Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
-                    const TruthFiles& files, const EvaluationOptions& options,
+                    const TruthVertices& truth, const EvaluationOptions& options,
                     const Context& context) {
-  const auto against = [&](const std::string& target_file) {
-    return evaluate_truth(source, target, map, files.source, target_file, options.truth, context);
+  const auto against = [&](const std::vector<int>& at_target) {
+    return evaluate_truth(source, target, map, truth.source, at_target, options.truth, context);
   };
   Evaluation result;
   result.matches = static_cast<int>(map.matches.size());
-  result.truth = against(files.target);
-  result.symmetric_truth = against(files.symmetric_target);
+  result.truth = against(truth.target);
+  result.symmetric_truth = against(truth.symmetric_target);
   result.coverage = target_coverage(target, map.matches);
   result.orientation = map_orientation(source, target, map.matches, {}, context);
   result.distortion =
       isometric_distortion(source, target, map.matches, options.distortion, context);
   return result;
+}
+
+Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
+                    const TruthFiles& files, const EvaluationOptions& options,
+                    const Context& context) {
+  return evaluate(source, target, map, read_truth(source, target, files), options, context);
 }
 
 Json to_json(const Evaluation& evaluation) {

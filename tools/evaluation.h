@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "isomatch/metrics.h"
 #include "json.h"
@@ -15,6 +16,12 @@ struct TruthFiles {
   std::string source, target;
   /// Of the target under its left-right symmetry.
   std::string symmetric_target;
+};
+
+/// The same as vertices of the input meshes: entry i of each list is the place of template point i.
+struct TruthVertices {
+  std::vector<int> source, target;
+  std::vector<int> symmetric_target;
 };
 
 /// A correspondence in the numbers of the surfaces.
@@ -54,7 +61,13 @@ struct Evaluation {
   }
 };
 
-/// Measures `map` against itself and against the truth in `files`. Throws `BadFile`.
+/// Measures `map` against itself and against `truth`. Throws `InvalidInput` if its lists differ in
+/// length or name vertices that are not there.
+Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
+                    const TruthVertices& truth, const EvaluationOptions& options,
+                    const Context& context);
+
+/// The same with the truth in `files`. Throws `BadFile`.
 Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
                     const TruthFiles& files, const EvaluationOptions& options,
                     const Context& context);

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "match/method.h"
-#include "match/paper_options.h"
+#include "match/option_names.h"
 #include "match/paper_output.h"
 #include "match/report.h"
 
@@ -23,10 +23,9 @@ GeodesicOptions geodesic_options(const std::string& name) {
 }
 
 Json paper_options_json(const MatchArguments& arguments, const PaperArguments& paper) {
-  Json json = options_json(arguments, "paper");
+  Json json = options_json("paper", arguments.seed);
   json["geodesics"] = paper.geodesics;
-  for_each_paper_option(
-      paper.options, [&](const char* name, const auto& value, const char*) { json[name] = value; });
+  add_options(json, paper.options);
   return json;
 }
 
@@ -68,8 +67,8 @@ Method add_paper_method(CLI::App& command, const std::string& group) {
       ->check(CLI::IsMember({"w20", "w10", "edges"}))
       ->group(group)
       ->capture_default_str();
-  for_each_paper_option(paper->options, [&](const char* name, auto& value, const char* help) {
-    command.add_option(fmt::format("--{}", name), value, help)->group(group)->capture_default_str();
+  for_each_option(paper->options, [&](const char* field, auto& value, const char* help) {
+    command.add_option("--" + option_name(field), value, help)->group(group)->capture_default_str();
   });
   return [paper](const MatchArguments& arguments, const Context& context) {
     run_paper(arguments, *paper, context);

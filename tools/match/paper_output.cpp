@@ -5,70 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "isomatch/map_io.h"
+#include "match/input_numbers.h"
 #include "match/report.h"
 #include "match/result_folder.h"
 
 namespace isomatch::cli {
 namespace {
-
-/// A correspondence with a distortion for each match.
-struct MeasuredMatches {
-  Correspondence matches;
-  std::vector<double> distortion;
-};
-
-void sort_by_match(MeasuredMatches& measured) {
-  std::vector<std::size_t> order(measured.matches.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return measured.matches[i]; });
-  MeasuredMatches sorted;
-  for (std::size_t i : order) {
-    sorted.matches.push_back(measured.matches[i]);
-    sorted.distortion.push_back(measured.distortion[i]);
-  }
-  measured = std::move(sorted);
-}
-
-/// Turns matches between bases into matches between vertices of the input files.
-class InputNumbers {
- public:
-  explicit InputNumbers(const PaperRun& run)
-      : run_(run),
-        source_(input_vertices(run.inputs.source.surface)),
-        target_(input_vertices(run.inputs.target.surface)) {}
-
-  MeasuredMatches translate(const Correspondence& matches,
-                            const std::vector<double>& distortion) const {
-    MeasuredMatches result;
-    for (std::size_t m = 0; m < matches.size(); ++m) {
-      for (int s : source_[run_.result.source_bases[matches[m].source]]) {
-        for (int t : target_[run_.result.target_bases[matches[m].target]]) {
-          result.matches.push_back({s, t});
-          result.distortion.push_back(distortion[m]);
-        }
-      }
-    }
-    sort_by_match(result);
-    return result;
-  }
-
-  VertexMap source_to_target() const {
-    VertexMap map(run_.inputs.source.mesh.vertices.size(), kUnmatched);
-    for (std::size_t v = 0; v < source_.size(); ++v) {
-      const int image = run_.result.source_to_target[v];
-      if (image == kUnmatched) continue;
-      for (int s : source_[v]) map[s] = target_[image].front();
-    }
-    return map;
-  }
-
- private:
-  const PaperRun& run_;
-  std::vector<std::vector<int>> source_, target_;
-};
 
 Json distortion_json(const std::vector<double>& d_iso) {
   const DistortionSummary summary = summarize(d_iso);
@@ -124,7 +68,7 @@ void write_paper(const std::string& path, const PaperRun& run) {
   ResultFolder folder(path);
   {
     const StageTimer timer(times, "writing");
-    const InputNumbers numbers(run);
+    const InputNumbers numbers(run.inputs, run.result);
     const PaperLevel& last = run.result.levels.back();
     const MeasuredMatches final_matches = numbers.translate(last.matches, last.distortion);
     write_levels(folder, run.result, numbers);

@@ -45,8 +45,8 @@ Json report_tail(const std::vector<StageTime>& times) {
           {"peak_memory_mib_after", peaks}};
 }
 
-Json options_json(const MatchArguments& arguments, const std::string& method) {
-  return {{"method", method}, {"seed", arguments.seed}};
+Json options_json(const std::string& method, unsigned long seed) {
+  return {{"method", method}, {"seed", seed}};
 }
 
 void print_closing(const MatchInputs& inputs, const std::string& folder) {

@@ -18,7 +18,7 @@ std::vector<StageTime> joined(std::vector<StageTime> loading,
 Json report_tail(const std::vector<StageTime>& times);
 
 /// Options of every method as they go into the report.
-Json options_json(const MatchArguments& arguments, const std::string& method);
+Json options_json(const std::string& method, unsigned long seed);
 
 /// The end of the summary: warnings about the meshes, and where the results are.
 void print_closing(const MatchInputs& inputs, const std::string& folder);

@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "isomatch/error.h"
 #include "isomatch/map_io.h"
-#include "isomatch/metrics.h"
+#include "match/input_numbers.h"
 #include "match/method.h"
+#include "match/option_names.h"
 #include "match/report.h"
 #include "match/tracked_output.h"
 
@@ -23,38 +23,20 @@ struct TrackedArguments {
   bool target_to_source = false;
 };
 
-void check_on_surface(const std::string& file, const char* side, const Surface& surface,
-                      int vertex) {
-  if (surface.surface_vertex[vertex] == kNoVertex)
-    throw BadFile(file,
-                  fmt::format("{} vertex {} is not on the surface that is matched", side, vertex));
-}
-
 /// The landmarks in `file` as pairs of surface vertices.
 Correspondence load_landmarks(const std::string& file, const MatchInputs& inputs) {
-  const Surface& source = inputs.source.surface;
-  const Surface& target = inputs.target.surface;
   const std::vector<Match> pairs =
       read_landmarks(file, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()});
-  for (const Match& pair : pairs) {
-    check_on_surface(file, "source", source, pair.source);
-    check_on_surface(file, "target", target, pair.target);
+  try {
+    return surface_landmarks(inputs, pairs);
+  } catch (const InvalidInput& error) {
+    throw BadFile(file, error.what());
   }
-  Correspondence landmarks = surface_matches(source, target, pairs);
-  const auto twice = std::ranges::adjacent_find(landmarks, {}, &Match::source);
-  if (twice != landmarks.end())
-    throw BadFile(file, fmt::format("copies of source vertex {} on a seam have different landmarks",
-                                    source.input_vertex[twice->source]));
-  return landmarks;
 }
 
 Json tracked_options_json(const MatchArguments& arguments, const TrackedArguments& tracked) {
-  Json json = options_json(arguments, "tracked");
-  json["allow-reflection"] = tracked.options.allow_reflection;
-  json["alternatives"] = tracked.options.alternatives;
-  json["orientation"] = tracked.options.orientation;
-  json["elastic-judging"] = tracked.options.elastic_judging;
-  json["refinement"] = tracked.options.refinement;
+  Json json = options_json("tracked", arguments.seed);
+  add_options(json, tracked.options);
   json["landmarks"] = tracked.landmarks.empty() ? Json() : Json(tracked.landmarks);
   json["target-to-source"] = tracked.target_to_source;
   return json;

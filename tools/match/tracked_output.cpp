@@ -8,15 +8,12 @@
 
 #include "isomatch/map_io.h"
 #include "isomatch/topology.h"
+#include "match/input_numbers.h"
 #include "match/report.h"
 #include "match/result_folder.h"
 
 namespace isomatch::cli {
 namespace {
-
-SurfaceMap input_points(const MatchInput& from, const MatchInput& onto, const SurfaceMap& map) {
-  return input_map(from.surface, onto.surface, map);
-}
 
 int count_points(const SurfaceMap& map) {
   const auto has_face = [](const SurfacePoint& point) { return point.face != kNoFace; };
@@ -42,18 +39,6 @@ void write_map(ResultFolder& folder, const std::string& place, const TrackedRun&
                  input_points(target, source, map.target_to_source));
   write_mesh(folder.add(place + "registered.ply"),
              input_pose(source.mesh, source.surface, map.registered));
-}
-
-Correspondence input_matches(const MatchInputs& inputs, const TrackedMap& map) {
-  const auto sources = input_vertices(inputs.source.surface);
-  const auto targets = input_vertices(inputs.target.surface);
-  Correspondence result;
-  for (const Match& match : matches(inputs.source.surface, inputs.target.surface, map)) {
-    for (int s : sources[match.source])
-      for (int t : targets[match.target]) result.push_back({s, t});
-  }
-  std::ranges::sort(result);
-  return result;
 }
 
 std::string alternative_folder(std::size_t number) {

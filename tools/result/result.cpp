@@ -66,15 +66,6 @@ SurfaceMap corners(const Mesh& mesh) {
   return points;
 }
 
-SurfaceMap points_of(const Mesh& target, const VertexMap& source_to_target) {
-  const SurfaceMap vertices = corners(target);
-  SurfaceMap points(source_to_target.size());
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    if (source_to_target[v] != kUnmatched) points[v] = vertices[source_to_target[v]];
-  }
-  return points;
-}
-
 ResultMap load_map(const MatchResult& result, const std::string& folder) {
   const auto file = [&](const char* name) {
     return result.path((fs::path(folder) / name).string());
@@ -86,7 +77,7 @@ ResultMap load_map(const MatchResult& result, const std::string& folder) {
   const std::string bary = file("source_to_target.bary.txt");
   map.points = fs::exists(bary)
                    ? read_surface_map(bary, {source_vertices, result.target.num_faces()})
-                   : points_of(result.target, map.source_to_target);
+                   : corner_points(result.target, map.source_to_target);
   const std::string registered = file("registered.ply");
   if (!fs::exists(registered)) return map;
   map.registered = read_mesh(registered).vertices;
@@ -113,6 +104,15 @@ MatchResult load_result(const std::string& folder, const MeshPlaces& places) {
   for (const Json& alternative : result.report.value("alternatives", Json::array()))
     result.maps.push_back(load_map(result, alternative.value("folder", "")));
   return result;
+}
+
+SurfaceMap corner_points(const Mesh& target, const VertexMap& source_to_target) {
+  const SurfaceMap vertices = corners(target);
+  SurfaceMap points(source_to_target.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (source_to_target[v] != kUnmatched) points[v] = vertices[source_to_target[v]];
+  }
+  return points;
 }
 
 std::vector<Point> images(const Mesh& target, const ResultMap& map) {

@@ -50,6 +50,9 @@ struct MeshPlaces {
 /// is missing, malformed, or a mesh is not the one that was matched.
 MatchResult load_result(const std::string& folder, const MeshPlaces& places = {});
 
+/// A map to vertices as one to corners of faces; no point where the target vertex has no face.
+SurfaceMap corner_points(const Mesh& target, const VertexMap& source_to_target);
+
 /// Where each source vertex lands; the origin where it is unmatched.
 std::vector<Point> images(const Mesh& target, const ResultMap& map);
 

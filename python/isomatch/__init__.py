@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileCopyrightText: 2026 The isomatch authors
+"""Dense correspondence between triangle meshes of the same thing in different poses.
+
+    import isomatch
+
+    result = isomatch.match("cat0.off", "cat1.off")
+    result.source_to_target   # target vertex of each source vertex
+    result.save("cats", report=True)
+
+Wherever a function takes a mesh, it takes the path of a file, a tuple (vertices, faces) of arrays,
+an object that has both, such as a mesh of trimesh, open3d or meshio, or a `Shape`. Vertices and
+faces keep their order and are numbered from 0. Bad input raises ValueError, a bad file OSError, a
+solver that fails RuntimeError. Results are the same for any number of threads.
+"""
+
+import os as _os
+
+# Idle threads sleep instead of spinning, unless the user decided otherwise. OpenMP reads this once,
+# when it is loaded; the environment of other programs stays as it was.
+_spinning_decided = "OMP_WAIT_POLICY" in _os.environ
+_os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+try:
+    from . import _core
+finally:
+    if not _spinning_decided:
+        del _os.environ["OMP_WAIT_POLICY"]
+
+from ._match import Hypothesis, Level, Map, Match, match
+from ._meshes import Shape, read_mesh, write_mesh
+from ._stages import (
+    Distortion,
+    Orientation,
+    SynthShape,
+    evaluate,
+    farthest_points,
+    gaussian_curvature,
+    geodesic_diameter,
+    geodesic_distances,
+    integral_geodesic_distance,
+    isometric_distortion,
+    map_orientation,
+    read_vts,
+    sample_bases,
+    sample_jointly,
+    synthesize,
+)
+
+__version__ = _core.version
+
+__all__ = [
+    "Distortion",
+    "Hypothesis",
+    "Level",
+    "Map",
+    "Match",
+    "Orientation",
+    "Shape",
+    "SynthShape",
+    "evaluate",
+    "farthest_points",
+    "gaussian_curvature",
+    "geodesic_diameter",
+    "geodesic_distances",
+    "integral_geodesic_distance",
+    "isometric_distortion",
+    "map_orientation",
+    "match",
+    "read_mesh",
+    "read_vts",
+    "sample_bases",
+    "sample_jointly",
+    "synthesize",
+    "write_mesh",
+]

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileCopyrightText: 2026 The isomatch authors
+# Made by python/stubs/make_stubs.py; a test compares.
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress, TruthLike
+
+__version__: str
+
+class Map:
+    source_to_target: np.ndarray
+    triangles: np.ndarray
+    barycentric: np.ndarray
+    registered_vertices: Optional[np.ndarray]
+    energy: Optional[float]
+    distance: Optional[float]
+    mirrored: bool
+
+class Shape:
+    geodesics: str
+    def __init__(
+        self,
+        mesh: MeshLike,
+        geodesics: str = 'w20',
+        *,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> None: ...
+    @property
+    def path(self) -> Optional[str]: ...
+    @property
+    def vertices(self) -> np.ndarray: ...
+    @property
+    def faces(self) -> np.ndarray: ...
+    @property
+    def on_surface(self) -> np.ndarray: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def max_geodesic(self) -> float: ...
+    @property
+    def warnings(self) -> List[str]: ...
+    def diagnosis(self) -> Dict[str, Any]: ...
+
+class SynthShape:
+    vertices: np.ndarray
+    faces: np.ndarray
+    rest: np.ndarray
+    ground_truth: np.ndarray
+    symmetric_ground_truth: np.ndarray
+
+class Distortion(NamedTuple):
+    mean: float
+    maximum: float
+    per_match: np.ndarray
+
+class Hypothesis(NamedTuple):
+    distortion: float
+    orientation: float
+    coarse_energy: float
+
+class Level(NamedTuple):
+    source_radius: float
+    target_radius: float
+    source_bases: np.ndarray
+    target_bases: np.ndarray
+    matches: np.ndarray
+    distortion: np.ndarray
+    many_to_one: np.ndarray
+    many_to_one_distortion: np.ndarray
+    outliers_moved: int
+
+class Match(Map):
+    method: str
+    source: Shape
+    target: Shape
+    alternatives: List[Map]
+    confidence: Optional[float]
+    oriented: Optional[bool]
+    seconds: Dict[str, float]
+    @property
+    def correspondence(self) -> np.ndarray: ...
+    @property
+    def levels(self) -> List[Level]: ...
+    @property
+    def hypotheses(self) -> List[Hypothesis]: ...
+    @property
+    def target_to_source(self) -> Optional[np.ndarray]: ...
+    def distortion(
+        self,
+        *,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+        list_size: int = 500,
+    ) -> Distortion: ...
+    def evaluate(
+        self,
+        gt: TruthLike = None,
+        *,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+        max_samples: int = 20000,
+        list_size: int = 500,
+    ) -> Dict[str, Any]: ...
+    def save(
+        self,
+        folder: PathLike,
+        *,
+        target_to_source: bool = False,
+        report: bool = False,
+    ) -> None: ...
+    def report(
+        self,
+        path: Optional[PathLike] = None,
+    ) -> Optional[str]: ...
+
+class Orientation(NamedTuple):
+    verdict: str
+    preserved_share: float
+    mean_sign: float
+    votes: int
+
+def evaluate(
+    source: MeshLike,
+    target: MeshLike,
+    correspondence: MapLike,
+    gt: TruthLike = None,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    max_samples: int = 20000,
+    list_size: int = 500,
+) -> Dict[str, Any]: ...
+
+def farthest_points(
+    mesh: MeshLike,
+    count: int,
+    first: int = 0,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    arcs: str = 'visibility',
+    window_angle: float = 20.0,
+) -> np.ndarray: ...
+
+def gaussian_curvature(
+    mesh: MeshLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    integral_points: int = 150,
+    curvature_scale: float = 0.03,
+) -> np.ndarray: ...
+
+def geodesic_diameter(
+    mesh: MeshLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    arcs: str = 'visibility',
+    window_angle: float = 20.0,
+) -> float: ...
+
+def geodesic_distances(
+    mesh: MeshLike,
+    sources: ArrayLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    arcs: str = 'visibility',
+    window_angle: float = 20.0,
+) -> np.ndarray: ...
+
+def integral_geodesic_distance(
+    mesh: MeshLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    integral_points: int = 150,
+    curvature_scale: float = 0.03,
+) -> np.ndarray: ...
+
+def isometric_distortion(
+    source: MeshLike,
+    target: MeshLike,
+    matches: ArrayLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    list_size: int = 500,
+) -> Distortion: ...
+
+def map_orientation(
+    source: MeshLike,
+    target: MeshLike,
+    matches: ArrayLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    landmarks: int = 200,
+    min_distance: float = 0.05,
+    max_distance: float = 0.25,
+) -> Orientation: ...
+
+def match(
+    source: MeshLike,
+    target: MeshLike,
+    method: str = 'tracked',
+    landmarks: Optional[ArrayLike] = None,
+    *,
+    geodesics: str = 'w20',
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    allow_reflection: bool = False,
+    orientation: bool = True,
+    elastic_judging: bool = True,
+    refinement: bool = True,
+    alternatives: int = 0,
+    integral_points: int = 150,
+    curvature_scale: float = 0.03,
+    radius_factor: float = 0.6,
+    max_coarse_bases: int = 8,
+    max_radius_ratio: float = 0.7,
+    full_share: float = 0.9,
+    max_patch_bases: int = 8,
+    max_search_nodes: int = 100000,
+    outlier_factor: float = 2.0,
+    candidate_radius: float = 2.0,
+    relaxation_rounds: int = 2,
+    outlier_rounds: int = 4,
+    list_size: int = 100,
+    coarse_candidates: int = 24,
+    candidate_levels: int = 4,
+    max_levels: int = 100,
+) -> Match: ...
+
+def read_mesh(
+    path: PathLike,
+) -> Tuple[np.ndarray, np.ndarray]: ...
+
+def read_vts(
+    path: PathLike,
+) -> np.ndarray: ...
+
+def sample_bases(
+    mesh: MeshLike,
+    radius: float,
+    order: Optional[ArrayLike] = None,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> np.ndarray: ...
+
+def sample_jointly(
+    source: MeshLike,
+    target: MeshLike,
+    level: int,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    integral_points: int = 150,
+    curvature_scale: float = 0.03,
+    radius_factor: float = 0.6,
+    max_coarse_bases: int = 8,
+    max_radius_ratio: float = 0.7,
+    full_share: float = 0.9,
+    max_patch_bases: int = 8,
+    max_search_nodes: int = 100000,
+    outlier_factor: float = 2.0,
+    candidate_radius: float = 2.0,
+    relaxation_rounds: int = 2,
+    outlier_rounds: int = 4,
+    list_size: int = 100,
+    coarse_candidates: int = 24,
+    candidate_levels: int = 4,
+    max_levels: int = 100,
+) -> Tuple[np.ndarray, np.ndarray]: ...
+
+def synthesize(
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    shape: str = 'creature',
+    vertices: int = 5000,
+    pose: int = 0,
+    seed: int = 1,
+) -> SynthShape: ...
+
+def write_mesh(
+    path: PathLike,
+    mesh: MeshLike,
+) -> None: ...

@@ -1,0 +1,339 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileCopyrightText: 2026 The isomatch authors
+"""Matching two meshes, and what comes out of it."""
+
+from __future__ import annotations
+
+import functools
+import html
+import os
+import tempfile
+from typing import Any, Dict, List, NamedTuple, Optional
+
+import numpy as np
+
+from . import _core
+from ._meshes import Shape, as_shape, write_mesh
+from ._options import check_options, takes_options
+from ._stages import Distortion, evaluate, isometric_distortion
+from ._types import ArrayLike, MeshLike, PathLike, Progress, TruthLike
+
+
+class Hypothesis(NamedTuple):
+    """A hypothesis of the tracked method that was judged."""
+
+    #: Mean isometric distortion, over the largest geodesic distances.
+    distortion: float
+    #: Local orientation in [-1, 1].
+    orientation: float
+    #: Elastic energy of a quick registration at unit area, by which hypotheses are ranked.
+    coarse_energy: float
+
+
+class Level(NamedTuple):
+    """A level of the paper's method. Vertices are those of the meshes that were given."""
+
+    #: Sampling radii, in units of the coordinates.
+    source_radius: float
+    target_radius: float
+    #: Base vertices in the order of selection.
+    source_bases: np.ndarray
+    target_bases: np.ndarray
+    #: (K, 2) source and target vertices in which every base vertex occurs, and d_iso of each.
+    matches: np.ndarray
+    distortion: np.ndarray
+    #: The same before merging made it many-to-many: one match for each source base.
+    many_to_one: np.ndarray
+    many_to_one_distortion: np.ndarray
+    #: Outliers that merging moved.
+    outliers_moved: int
+
+
+class Map:
+    """A map from the source's vertices to points on the target, one of those that were found."""
+
+    #: (N) target vertex of each source vertex, -1 where it is unmatched.
+    source_to_target: np.ndarray
+    #: (N) target face of each source vertex, -1 where it is unmatched.
+    triangles: np.ndarray
+    #: (N, 3) barycentric weights of that face's corners, 0 where it is unmatched.
+    barycentric: np.ndarray
+    #: (N, 3) the source's vertices in the target's pose and coordinates; None if the method does
+    #: not register.
+    registered_vertices: Optional[np.ndarray]
+    #: As-rigid-as-possible energy of the registration, at unit area; None if there is none.
+    energy: Optional[float]
+    #: Mean distance of the registered source from the target, at unit area.
+    distance: Optional[float]
+    #: Whether it maps the mirror image of the source.
+    mirrored: bool
+
+    def __init__(self, points, registered_vertices=None, figures=None):
+        self.source_to_target = points["vertices"]
+        self.triangles = points["triangles"]
+        self.barycentric = points["barycentric"]
+        self.registered_vertices = registered_vertices
+        figures = figures or {}
+        self.energy = figures.get("energy")
+        self.distance = figures.get("distance")
+        self.mirrored = figures.get("mirrored", False)
+
+
+class Match(Map):
+    """The result of `match`. Vertices are those of the meshes that were given, from 0."""
+
+    #: "tracked" or "paper".
+    method: str
+    #: The meshes.
+    source: Shape
+    target: Shape
+    #: Other maps that are worth a look, best first.
+    alternatives: List[Map]
+    #: 1 - C1 / C2, with C the cost of the best map and of the best other one: near 0 where the
+    #: choice is ambiguous, 1 if there was no other. None with the paper's method.
+    confidence: Optional[float]
+    #: Whether both surfaces tell outside from inside, so that mirrored maps were excluded. None
+    #: with the paper's method.
+    oriented: Optional[bool]
+    #: Wall-clock seconds of each stage.
+    seconds: Dict[str, float]
+
+    def __init__(self, core, method, source, target, landmarks, maps):
+        super().__init__(**maps[0])
+        self._core = core
+        self._landmarks = landmarks
+        self.method = method
+        self.source = source
+        self.target = target
+        self.alternatives = [Map(**parts) for parts in maps[1:]]
+        self.confidence = core.confidence if method == "tracked" else None
+        self.oriented = core.oriented if method == "tracked" else None
+        self.seconds = core.seconds
+
+    @functools.cached_property
+    def correspondence(self) -> np.ndarray:
+        """(K, 2) source and target vertices: the many-to-many relation in which every vertex of
+        both surfaces occurs."""
+        return self._core.correspondence()
+
+    @functools.cached_property
+    def levels(self) -> List[Level]:
+        """A `Level` for each level of the paper's method; empty with the tracked method."""
+        if self.method != "paper":
+            return []
+        return [_level(**level) for level in self._core.levels]
+
+    @functools.cached_property
+    def hypotheses(self) -> List[Hypothesis]:
+        """A `Hypothesis` for each that was judged, best first; empty with the paper's method."""
+        if self.method != "tracked":
+            return []
+        return [Hypothesis(*figures) for figures in self._core.hypotheses]
+
+    @functools.cached_property
+    def target_to_source(self) -> Optional[np.ndarray]:
+        """(M) source vertex of each target vertex, -1 where it is unmatched. Of the tracked method
+        only; None with the paper's."""
+        return self._core.inverse_points(0)["vertices"] if self.method == "tracked" else None
+
+    @takes_options("distortion")
+    def distortion(
+        self, *, threads: Optional[int] = None, progress: Progress = None, **options
+    ) -> Distortion:
+        """Isometric distortion of `source_to_target`, see `isometric_distortion`."""
+        return isometric_distortion(
+            self.source,
+            self.target,
+            self.source_to_target,
+            threads=threads,
+            progress=progress,
+            **options,
+        )
+
+    @takes_options("truth", "distortion")
+    def evaluate(
+        self,
+        gt: TruthLike = None,
+        *,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+        **options,
+    ) -> Dict[str, Any]:
+        """How good the map is, against the ground truth `gt` if it is given; see `evaluate`."""
+        points = (self.triangles, self.barycentric)
+        return evaluate(
+            self.source,
+            self.target,
+            points if self.method == "tracked" else self.source_to_target,
+            gt,
+            threads=threads,
+            progress=progress,
+            **options,
+        )
+
+    def save(
+        self, folder: PathLike, *, target_to_source: bool = False, report: bool = False
+    ) -> None:
+        """Writes what `isomatch match -o FOLDER` writes, byte for byte but for times; earlier
+        results in the folder are replaced. Meshes that were given as arrays are written into it as
+        source.ply and target.ply, landmarks as landmarks.txt. `target_to_source` adds the inverse
+        map of the tracked method, `report` a page that shows the result. Raises OSError."""
+        folder = os.fspath(folder)
+        os.makedirs(folder, exist_ok=True)
+        saved = _core.SavedAs(
+            folder,
+            _mesh_file(self.source, folder, "source.ply"),
+            _mesh_file(self.target, folder, "target.ply"),
+        )
+        if self.method == "tracked":
+            landmarks = _landmark_file(self._landmarks, folder)
+            self._core.save(saved, landmarks, target_to_source)
+        elif target_to_source:
+            raise ValueError("target_to_source: the paper's method makes no inverse map")
+        else:
+            self._core.save(saved)
+        if report:
+            page = os.path.join(folder, "report.html")
+            _core.write_page(page, saved, "", "", _core.RunOptions(None, None))
+
+    def report(self, path: Optional[PathLike] = None) -> Optional[str]:
+        """A page that shows the result in 3D, complete in itself: written to `path` if it is
+        given, otherwise returned as a string of HTML. Raises ValueError if isomatch was built
+        without the page."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.save(folder, report=True)
+            with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
+                page = file.read()
+        if path is None:
+            return page
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(page)
+
+    def _repr_html_(self):
+        if not _core.has_page():
+            return f"<pre>{html.escape(repr(self))}</pre>"
+        page = html.escape(self.report(), quote=True)
+        return (
+            f'<iframe srcdoc="{page}" title="isomatch report" '
+            'style="width: 100%; height: 640px; border: 0"></iframe>'
+        )
+
+    def __repr__(self):
+        matched = np.count_nonzero(self.source_to_target >= 0)
+        confidence = "" if self.confidence is None else f", confidence {self.confidence:.2f}"
+        return (
+            f"<isomatch.Match by the {self.method} method: {matched} of "
+            f"{len(self.source_to_target)} source vertices matched{confidence}>"
+        )
+
+
+def _level(matches, many_to_one, **rest):
+    return Level(
+        matches=matches[0],
+        distortion=matches[1],
+        many_to_one=many_to_one[0],
+        many_to_one_distortion=many_to_one[1],
+        **rest,
+    )
+
+
+def _mesh_file(shape, folder, name):
+    if shape.path:
+        return shape.path
+    path = os.path.join(folder, name)
+    write_mesh(path, shape)
+    return path
+
+
+def _landmark_file(landmarks, folder):
+    if len(landmarks) == 0:
+        return None
+    path = os.path.join(folder, "landmarks.txt")
+    np.savetxt(path, landmarks, fmt="%d")
+    return path
+
+
+def _as_landmarks(landmarks):
+    return np.zeros((0, 2), np.int64) if landmarks is None else np.asarray(landmarks)
+
+
+def _tracked_map(core, number):
+    return {
+        "points": core.points(number),
+        "registered_vertices": core.registered(number),
+        "figures": core.figures(number),
+    }
+
+
+def _match_tracked(source, target, landmarks, options, run):
+    core = _core.match_tracked(source._core, target._core, landmarks, options, run)
+    return core, [_tracked_map(core, number) for number in range(core.num_maps)]
+
+
+def _match_paper(source, target, landmarks, options, run):
+    if len(landmarks) > 0:
+        raise ValueError("landmarks: the paper's method takes none")
+    core = _core.match_paper(source._core, target._core, source.geodesics, options, run)
+    return core, [{"points": core.points()}]
+
+
+_METHODS = {"tracked": _match_tracked, "paper": _match_paper}
+
+
+@takes_options("tracked", "paper")
+def match(
+    source: MeshLike,
+    target: MeshLike,
+    method: str = "tracked",
+    landmarks: Optional[ArrayLike] = None,
+    *,
+    geodesics: str = "w20",
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    **options,
+) -> Match:
+    """Finds the correspondence between two triangle meshes of the same thing.
+
+    Parameters
+    ----------
+    source, target
+        Meshes in any form that `Shape` takes: the path of a file, a tuple (vertices, faces), an
+        object that has both, or a `Shape`.
+    method
+        "tracked": a point on the target for every source vertex, and the source in the target's
+        pose; "paper": the many-to-many matching of Sahillioglu and Yemez (2011), level by level.
+    landmarks
+        (L, 2) source and target vertices that must match; for the tracked method.
+    geodesics
+        "w20", "w10" or "edges", see `Shape`, which keeps its own; for the paper's method and for
+        what is measured.
+    threads
+        Number of threads, by default as many as the machine has. Results do not depend on it.
+    progress
+        Called as `progress(fraction, stage)` with fraction in [0, 1]. What it raises ends the
+        matching and is raised here.
+
+    Returns
+    -------
+    Match
+
+    Raises
+    ------
+    ValueError
+        An option is out of range, a mesh cannot be matched, or no correspondence was found.
+    OSError
+        A file cannot be read.
+    RuntimeError
+        A solver failed.
+    KeyboardInterrupt
+        Ctrl-C, after a moment. Other Python threads go on meanwhile.
+    """
+    if method not in _METHODS:
+        raise ValueError(f"method: expected 'tracked' or 'paper', not {method!r}")
+    check_options(options, method, function=f"match(method={method!r})")
+    source = as_shape(source, geodesics, threads)
+    target = as_shape(target, geodesics, threads)
+    pairs = _as_landmarks(landmarks)
+    run = _core.RunOptions(threads, progress)
+    core, maps = _METHODS[method](source, target, pairs, options, run)
+    return Match(core, method, source, target, pairs, maps)

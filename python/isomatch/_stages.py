@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileCopyrightText: 2026 The isomatch authors
+"""The stages of matching, each by itself."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from typing import Any, Dict, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from . import _core
+from ._meshes import as_arrays, as_shape
+from ._options import check_options, select, takes_options
+from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress, TruthLike
+
+
+@takes_options("geodesics")
+def geodesic_distances(
+    mesh: MeshLike,
+    sources: ArrayLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    **options,
+) -> np.ndarray:
+    """Geodesic distances from each of `sources`, one vertex or a list of S, to all N vertices.
+
+    Returns a float32 array of shape (S, N), or (N) for one source, in units of the coordinates;
+    infinite where a vertex is not connected. O(S N log N).
+    """
+    check_options(options, "geodesics", function="geodesic_distances")
+    rows = np.atleast_1d(np.asarray(sources))
+    run = _core.RunOptions(threads, progress)
+    fields = _core.geodesic_distances(*as_arrays(mesh), rows, options, run)
+    return fields[0] if np.ndim(sources) == 0 else fields
+
+
+@takes_options("geodesics")
+def geodesic_diameter(
+    mesh: MeshLike, *, threads: Optional[int] = None, progress: Progress = None, **options
+) -> float:
+    """The largest geodesic distance between two connected vertices, in units of the coordinates,
+    from below, exact to .5 % as a rule."""
+    check_options(options, "geodesics", function="geodesic_diameter")
+    return _core.geodesic_diameter(
+        *as_arrays(mesh), options, _core.RunOptions(threads, progress)
+    )
+
+
+@takes_options("geodesics")
+def farthest_points(
+    mesh: MeshLike,
+    count: int,
+    first: int = 0,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    **options,
+) -> np.ndarray:
+    """At most `count` vertices, evenly spread: `first`, then always the one farthest from those
+    before it. Returns an array of vertex indices. O(N log N)."""
+    check_options(options, "geodesics", function="farthest_points")
+    if count < 1:
+        raise ValueError("count: expected at least 1")
+    run = _core.RunOptions(threads, progress)
+    return _core.farthest_points(*as_arrays(mesh), count, first, options, run)
+
+
+@takes_options("saliency")
+def integral_geodesic_distance(
+    mesh: MeshLike, *, threads: Optional[int] = None, progress: Progress = None, **options
+) -> np.ndarray:
+    """Mean geodesic distance of each vertex from the whole surface, over the largest geodesic
+    distance: (N) values in [0, 1], large at extremities, NaN off the surface that is matched."""
+    check_options(options, "saliency", function="integral_geodesic_distance")
+    return _core.integral_geodesic_distance(
+        as_shape(mesh, threads=threads)._core, options, _core.RunOptions(threads, progress)
+    )
+
+
+@takes_options("saliency")
+def gaussian_curvature(
+    mesh: MeshLike, *, threads: Optional[int] = None, progress: Progress = None, **options
+) -> np.ndarray:
+    """Smoothed Gaussian curvature at each vertex times the surface's area: (N) values, NaN off the
+    surface that is matched."""
+    check_options(options, "saliency", function="gaussian_curvature")
+    return _core.gaussian_curvature(
+        as_shape(mesh, threads=threads)._core, options, _core.RunOptions(threads, progress)
+    )
+
+
+def sample_bases(
+    mesh: MeshLike,
+    radius: float,
+    order: Optional[ArrayLike] = None,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> np.ndarray:
+    """Vertices no two of which are within geodesic distance `radius`, in units of the coordinates,
+    and within `radius` of one of which every vertex lies. Candidates are taken in `order`, an
+    array of all vertices of the surface; by default the extremities come first. Returns an array
+    of vertex indices in the order of selection."""
+    shape = as_shape(mesh, threads=threads)
+    if order is None:
+        saliency = integral_geodesic_distance(shape, threads=threads)
+        order = np.argsort(-saliency, kind="stable")[: np.count_nonzero(shape.on_surface)]
+    run = _core.RunOptions(threads, progress)
+    return _core.sample_bases(shape._core, radius, np.asarray(order), run)
+
+
+@takes_options("paper")
+def sample_jointly(
+    source: MeshLike,
+    target: MeshLike,
+    level: int,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    **options,
+) -> Tuple[np.ndarray, np.ndarray]:
+    """The base vertices of both meshes at a level, from 0, of the paper's method: two arrays of
+    vertex indices in the order of selection."""
+    check_options(options, "paper", function="sample_jointly")
+    return _core.sample_jointly(
+        as_shape(source, threads=threads)._core,
+        as_shape(target, threads=threads)._core,
+        level,
+        options,
+        _core.RunOptions(threads, progress),
+    )
+
+
+class Distortion(NamedTuple):
+    """Isometric distortion, with distances relative to each surface's largest geodesic."""
+
+    #: D_iso, the mean over all matches.
+    mean: float
+    #: d_iso-dagger, the maximum over all matches.
+    maximum: float
+    #: d_iso of each match, NaN where a vertex is off the surface that is matched.
+    per_match: np.ndarray
+
+
+class Orientation(NamedTuple):
+    """Whether a map turns the surface over, as a left-right flip does."""
+
+    #: "preserves", "reverses", "undecided" or "not oriented".
+    verdict: str
+    #: Share of landmarks around which orientation is preserved, in [0, 1].
+    preserved_share: float
+    #: Mean sign of all triples of landmarks, in [-1, 1].
+    mean_sign: float
+    #: Landmarks that had an opinion.
+    votes: int
+
+
+def as_matches(correspondence):
+    """A map (N) from source vertices to target vertices, -1 where there is none, or (K, 2) pairs,
+    as (K, 2) pairs."""
+    matches = np.asarray(correspondence)
+    if matches.ndim != 1:
+        return matches
+    if matches.dtype.kind not in "iu":
+        raise ValueError("a map holds integers")
+    matched = np.flatnonzero(matches >= 0)
+    return np.column_stack([matched, matches[matched]])
+
+
+@takes_options("distortion")
+def isometric_distortion(
+    source: MeshLike,
+    target: MeshLike,
+    matches: ArrayLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    **options,
+) -> Distortion:
+    """How far matches are from preserving geodesic distances (the paper's Equations 1, 2 and 4).
+
+    `matches` is a map (N) from source vertices to target vertices, -1 where there is none, or an
+    array (K, 2) of source and target vertices. Returns a `Distortion`.
+    """
+    check_options(options, "distortion", function="isometric_distortion")
+    return Distortion(
+        *_core.isometric_distortion(
+            as_shape(source, threads=threads)._core,
+            as_shape(target, threads=threads)._core,
+            as_matches(matches),
+            options,
+            _core.RunOptions(threads, progress),
+        )
+    )
+
+
+@takes_options("orientation")
+def map_orientation(
+    source: MeshLike,
+    target: MeshLike,
+    matches: ArrayLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    **options,
+) -> Orientation:
+    """Whether `matches`, in the forms of `isometric_distortion`, preserve or reverse orientation.
+    Returns an `Orientation`."""
+    check_options(options, "orientation", function="map_orientation")
+    return Orientation(
+        *_core.map_orientation(
+            as_shape(source, threads=threads)._core,
+            as_shape(target, threads=threads)._core,
+            as_matches(matches),
+            options,
+            _core.RunOptions(threads, progress),
+        )
+    )
+
+
+def read_vts(path: PathLike) -> np.ndarray:
+    """Reads a .vts file, which numbers vertices from 1: an array of vertex indices from 0."""
+    with open(path, encoding="ascii") as file:
+        try:
+            return np.array([int(line) - 1 for line in file if line.strip()], dtype=np.int64)
+        except ValueError as error:
+            raise OSError(f"{os.fspath(path)}: {error}") from None
+
+
+def _vertices(truth):
+    return read_vts(truth) if isinstance(truth, (str, os.PathLike)) else np.asarray(truth)
+
+
+def as_truth(gt):
+    """A ground truth in any form as arrays for the source, the target, and the target under the
+    left-right symmetry, empty where there is none."""
+    nothing = np.zeros(0, np.int64)
+    if gt is None:
+        return nothing, nothing, nothing
+    if isinstance(gt, tuple) and len(gt) in (2, 3):
+        return (*(_vertices(truth) for truth in gt), nothing)[:3]
+    matches = as_matches(gt)
+    if matches.ndim != 2 or matches.shape[1] != 2:
+        raise ValueError("gt: expected a map (N) or two arrays of corresponding vertices")
+    return matches[:, 0], matches[:, 1], nothing
+
+
+def as_map(correspondence):
+    """A map in any form as the core takes it: pairs of vertices, or faces and weights."""
+    if isinstance(correspondence, tuple) and len(correspondence) == 2:
+        return tuple(np.asarray(array) for array in correspondence)
+    return (as_matches(correspondence),)
+
+
+@takes_options("truth", "distortion")
+def evaluate(
+    source: MeshLike,
+    target: MeshLike,
+    correspondence: MapLike,
+    gt: TruthLike = None,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    **options,
+) -> Dict[str, Any]:
+    """How good a correspondence is: what `isomatch eval --json` prints, as a dictionary.
+
+    Parameters
+    ----------
+    source, target
+        Meshes in any form that `Shape` takes.
+    correspondence
+        A map (N) from source vertices to target vertices, -1 where there is none; an array (K, 2)
+        of source and target vertices; or, for points on triangles, a tuple of an array (N) of
+        target faces, -1 where there is none, and an array (N, 3) of barycentric weights.
+    gt
+        Ground truth: a map (N) as above; or a tuple of two lists of corresponding vertices, arrays
+        or .vts files, of the source and of the target, and maybe a third one of the target under
+        its left-right symmetry.
+
+    Returns
+    -------
+    dict
+        `matches`; `d_iso_over_max_geodesic`; `target_hit`: shares of vertices and area;
+        `orientation`; with a truth `ground_truth`: errors over sqrt(area) of the target.
+    """
+    check_options(options, "truth", "distortion", function="evaluate")
+    return json.loads(
+        _core.evaluate(
+            as_shape(source, threads=threads)._core,
+            as_shape(target, threads=threads)._core,
+            as_map(correspondence),
+            as_truth(gt),
+            select(options, "truth"),
+            select(options, "distortion"),
+            _core.RunOptions(threads, progress),
+        )
+    )
+
+
+@dataclass(frozen=True)
+class SynthShape:
+    """A made-up creature in a pose. Entry i of the ground truths of two poses is a matching pair of
+    vertices."""
+
+    #: (N, 3) coordinates; hip to shoulder is 1.
+    vertices: np.ndarray
+    #: (M, 3) vertex indices.
+    faces: np.ndarray
+    #: (N, 3) place of each vertex on the rest pose; mirroring negates x.
+    rest: np.ndarray
+    #: (5000) vertex of each template point.
+    ground_truth: np.ndarray
+    #: (5000) vertex of each template point's mirror image.
+    symmetric_ground_truth: np.ndarray
+
+
+@takes_options("synth")
+def synthesize(
+    *, threads: Optional[int] = None, progress: Progress = None, **options
+) -> SynthShape:
+    """Makes a mesh with known correspondence to every other pose of the same seed. Returns a
+    `SynthShape`, which can be used as a mesh."""
+    check_options(options, "synth", function="synthesize")
+    return SynthShape(**_core.synthesize(options, _core.RunOptions(threads, progress)))

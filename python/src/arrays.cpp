@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "arrays.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "isomatch/error.h"
+#include "isomatch/topology.h"
+
+namespace py = pybind11;
+
+namespace isomatch::python {
+namespace {
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+std::string shape_of(const py::array& array) {
+  return fmt::format("{}", fmt::join(array.shape(), array.shape() + array.ndim(), ", "));
+}
+
+/// Zero columns stand for an array of one dimension.
+void check_shape(const py::array& array, std::string_view name, int columns) {
+  if (columns == 0 && array.ndim() != 1)
+    throw InvalidInput(fmt::format("{}: expected shape (N,), not ({})", name, shape_of(array)));
+  if (columns != 0 && (array.ndim() != 2 || array.shape(1) != columns))
+    throw InvalidInput(
+        fmt::format("{}: expected shape (N, {}), not ({})", name, columns, shape_of(array)));
+}
+
+int to_int(std::int64_t value, std::string_view name) {
+  if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
+    throw InvalidInput(fmt::format("{}: {} is out of range", name, value));
+  return static_cast<int>(value);
+}
+
+/// (N, 3) numbers row by row.
+Doubles to_doubles(const py::array& array, std::string_view name) {
+  check_shape(array, name, 3);
+  const char kind = array.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw InvalidInput(fmt::format("{}: expected numbers", name));
+  return Doubles(array);
+}
+
+void check_weights(const SurfacePoint& point, std::size_t row) {
+  constexpr double kTolerance = 1e-6;
+  double sum = 0;
+  for (const double weight : point.weights) {
+    // Negated, so that NaN fails.
+    if (!(weight >= -kTolerance && weight <= 1 + kTolerance))
+      throw InvalidInput(
+          fmt::format("barycentric: weight {} in row {} is not in [0, 1]", weight, row));
+    sum += weight;
+  }
+  if (std::abs(sum - 1) > kTolerance)
+    throw InvalidInput(fmt::format("barycentric: the weights in row {} do not sum to 1", row));
+}
+
+}  // namespace
+
+py::array_t<double> to_array(std::vector<Point> points) {
+  const auto size = static_cast<py::ssize_t>(points.size());
+  return adopt<double>(std::move(points), {size, 3});
+}
+
+py::array_t<int> to_array(std::vector<Face> faces) {
+  const auto size = static_cast<py::ssize_t>(faces.size());
+  return adopt<int>(std::move(faces), {size, 3});
+}
+
+py::array_t<int> to_array(Correspondence matches) {
+  const auto size = static_cast<py::ssize_t>(matches.size());
+  return adopt<int>(std::move(matches), {size, 2});
+}
+
+std::pair<py::array_t<int>, py::array_t<double>> to_arrays(SurfaceMap map) {
+  const auto size = static_cast<py::ssize_t>(map.size());
+  constexpr py::ssize_t kStride = sizeof(SurfacePoint);
+  auto* owner = new SurfaceMap(std::move(map));
+  const py::capsule capsule(owner, [](void* points) { delete static_cast<SurfaceMap*>(points); });
+  const SurfacePoint* first = owner->data();
+  return {py::array_t<int>({size}, {kStride}, &first->face, capsule),
+          py::array_t<double>({size, py::ssize_t{3}},
+                              {kStride, static_cast<py::ssize_t>(sizeof(double))},
+                              first->weights.data(), capsule)};
+}
+
+std::vector<int> to_integers(const py::array& array, std::string_view name, int columns) {
+  check_shape(array, name, columns);
+  const char kind = array.dtype().kind();
+  // An empty list is an array of floats.
+  if (kind != 'i' && kind != 'u' && array.size() > 0)
+    throw InvalidInput(fmt::format("{}: expected integers", name));
+  const Integers integers(array);
+  std::vector<int> result;
+  result.reserve(static_cast<std::size_t>(integers.size()));
+  for (py::ssize_t i = 0; i < integers.size(); ++i)
+    result.push_back(to_int(integers.data()[i], name));
+  return result;
+}
+
+Mesh to_mesh(const py::array& vertices, const py::array& faces) {
+  const Doubles coordinates = to_doubles(vertices, "vertices");
+  const std::vector<int> corners = to_integers(faces, "faces", 3);
+  Mesh mesh;
+  mesh.vertices.resize(static_cast<std::size_t>(coordinates.shape(0)));
+  mesh.faces.resize(corners.size() / 3);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    mesh.vertices[v] = Eigen::Map<const Point>(coordinates.data() + 3 * v);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    mesh.faces[f] = {corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]};
+  validate(mesh);
+  return mesh;
+}
+
+std::vector<Match> to_matches(const py::array& pairs, std::string_view name) {
+  const std::vector<int> numbers = to_integers(pairs, name, 2);
+  std::vector<Match> matches;
+  for (std::size_t i = 0; i < numbers.size(); i += 2)
+    matches.push_back({numbers[i], numbers[i + 1]});
+  return matches;
+}
+
+SurfaceMap to_surface_map(const py::array& faces, const py::array& weights) {
+  const std::vector<int> face = to_integers(faces, "triangles");
+  const Doubles weight = to_doubles(weights, "barycentric");
+  if (static_cast<std::size_t>(weight.shape(0)) != face.size())
+    throw InvalidInput(
+        fmt::format("triangles and barycentric: {} and {} rows", face.size(), weight.shape(0)));
+  SurfaceMap map(face.size());
+  for (std::size_t v = 0; v < map.size(); ++v) {
+    if (face[v] == kNoFace) continue;
+    const double* row = weight.data() + 3 * v;
+    map[v] = {face[v], {row[0], row[1], row[2]}};
+    check_weights(map[v], v);
+  }
+  return map;
+}
+
+}  // namespace isomatch::python

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "isomatch/mesh_io.h"
+#include "json.h"
+#include "prepared.h"
+#include "run.h"
+
+namespace py = pybind11;
+
+namespace isomatch::python {
+namespace {
+
+std::shared_ptr<PreparedMesh> load_shape(const std::string& path, const std::string& geodesics,
+                                         const RunOptions& how) {
+  return run(how, [&](const Context& context) {
+    MeshReadReport report;
+    Mesh mesh = read_mesh(path, &report);
+    context.check_stop();
+    return std::make_shared<PreparedMesh>(path, std::move(mesh), report, geodesics);
+  });
+}
+
+std::shared_ptr<PreparedMesh> make_shape(const py::array& vertices, const py::array& faces,
+                                         const std::string& geodesics, const RunOptions& how) {
+  Mesh mesh = to_mesh(vertices, faces);
+  return run(how, [&](const Context&) {
+    return std::make_shared<PreparedMesh>(std::move(mesh), geodesics);
+  });
+}
+
+double max_geodesic(const PreparedMesh& mesh) {
+  return run({py::none(), py::none()},
+             [&](const Context& context) { return mesh.shape(context).max_geodesic; });
+}
+
+py::tuple read(const std::string& path) {
+  Mesh mesh;
+  {
+    const py::gil_scoped_release release;
+    mesh = read_mesh(path);
+  }
+  return py::make_tuple(to_array(std::move(mesh.vertices)), to_array(std::move(mesh.faces)));
+}
+
+void write(const std::string& path, const py::array& vertices, const py::array& faces) {
+  const Mesh mesh = to_mesh(vertices, faces);
+  const py::gil_scoped_release release;
+  write_mesh(path, mesh);
+}
+
+}  // namespace
+
+void bind_meshes(py::module_& module) {
+  py::class_<RunOptions>(module, "RunOptions")
+      .def(py::init<py::object, py::object>(), py::arg("threads"), py::arg("progress"));
+  py::class_<PreparedMesh, std::shared_ptr<PreparedMesh>>(module, "Shape")
+      .def_property_readonly("path", [](const PreparedMesh& shape) { return shape.input().path; })
+      .def_property_readonly(
+          "vertices", [](const PreparedMesh& shape) { return to_array(shape.mesh().vertices); })
+      .def_property_readonly("faces",
+                             [](const PreparedMesh& shape) { return to_array(shape.mesh().faces); })
+      .def_property_readonly("area", [](const PreparedMesh& shape) { return shape.surface().area; })
+      .def_property_readonly("max_geodesic",
+                             [](const PreparedMesh& shape) { return max_geodesic(shape); })
+      .def_property_readonly("on_surface",
+                             [](const PreparedMesh& shape) {
+                               py::array_t<bool> result(shape.mesh().num_vertices());
+                               for (int v = 0; v < shape.mesh().num_vertices(); ++v)
+                                 result.mutable_at(v) =
+                                     shape.surface().surface_vertex[v] != kNoVertex;
+                               return result;
+                             })
+      .def_property_readonly(
+          "warnings", [](const PreparedMesh& shape) { return shape.input().diagnosis.warnings(); })
+      .def("diagnosis_json",
+           [](const PreparedMesh& shape) { return cli::to_json(shape.input().diagnosis).dump(); });
+  module.def("load_shape", load_shape);
+  module.def("make_shape", make_shape);
+  module.def("read_mesh", read);
+  module.def("write_mesh", write);
+}
+
+}  // namespace isomatch::python

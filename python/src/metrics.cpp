@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/metrics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "evaluation.h"
+#include "isomatch/error.h"
+#include "options.h"
+#include "prepared.h"
+#include "run.h"
+
+namespace py = pybind11;
+
+namespace isomatch::python {
+namespace {
+
+void check_lengths(const PreparedMesh& source, const PreparedMesh& target, const SurfaceMap& map) {
+  if (map.size() != source.mesh().vertices.size())
+    throw InvalidInput(fmt::format("the map has {} points, but the source {} vertices", map.size(),
+                                   source.mesh().num_vertices()));
+  for (const SurfacePoint& point : map) {
+    if (point.face >= target.mesh().num_faces())
+      throw InvalidInput(fmt::format("triangles: face {} is out of range; there are {}", point.face,
+                                     target.mesh().num_faces()));
+  }
+}
+
+cli::MeasuredMap points_map(const PreparedMesh& source, const PreparedMesh& target,
+                            const SurfaceMap& map) {
+  check_lengths(source, target, map);
+  const Surface& onto = target.surface();
+  SurfaceMap points = surface_map(source.surface(), onto, map);
+  Correspondence matches = to_correspondence(nearest_vertices(onto.mesh, points));
+  return {std::move(matches), std::move(points)};
+}
+
+Correspondence pairs_on_surfaces(const PreparedMesh& source, const PreparedMesh& target,
+                                 const std::vector<Match>& pairs) {
+  check_matches(source, target, pairs);
+  Correspondence sorted = pairs;
+  std::ranges::sort(sorted);
+  return surface_matches(source.surface(), target.surface(), sorted);
+}
+
+/// A pair of arrays is a map to points, a single one a list of pairs of vertices.
+cli::MeasuredMap to_map(const PreparedMesh& source, const PreparedMesh& target,
+                        const py::tuple& map) {
+  if (map.size() == 2)
+    return points_map(source, target,
+                      to_surface_map(map[0].cast<py::array>(), map[1].cast<py::array>()));
+  return {pairs_on_surfaces(source, target, to_matches(map[0].cast<py::array>(), "matches")), {}};
+}
+
+std::string evaluate_json(const PreparedMesh& source, const PreparedMesh& target,
+                          const py::tuple& map, const py::tuple& truth,
+                          const py::dict& truth_keywords, const py::dict& distortion_keywords,
+                          const RunOptions& how) {
+  const cli::EvaluationOptions options{to_options<TruthOptions>(truth_keywords),
+                                       to_options<DistortionOptions>(distortion_keywords)};
+  const cli::TruthVertices vertices{to_integers(truth[0].cast<py::array>(), "source truth"),
+                                    to_integers(truth[1].cast<py::array>(), "target truth"),
+                                    to_integers(truth[2].cast<py::array>(), "symmetric truth")};
+  const cli::MeasuredMap measured = to_map(source, target, map);
+  const cli::Evaluation evaluation = run(how, [&](const Context& context) {
+    return cli::evaluate(source.shape(context), target.shape(context), measured, vertices, options,
+                         context);
+  });
+  return cli::to_json(evaluation).dump();
+}
+
+/// `values` of `measured` matches between surface vertices, for each of `pairs` of input vertices.
+std::vector<double> spread(const PreparedMesh& source, const PreparedMesh& target,
+                           const std::vector<Match>& pairs, const Correspondence& measured,
+                           const std::vector<double>& values) {
+  std::vector<double> result(pairs.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Match match{source.surface().surface_vertex[pairs[i].source],
+                      target.surface().surface_vertex[pairs[i].target]};
+    const auto place = std::ranges::lower_bound(measured, match);
+    if (place != measured.end() && *place == match) result[i] = values[place - measured.begin()];
+  }
+  return result;
+}
+
+py::tuple distortion(const PreparedMesh& source, const PreparedMesh& target,
+                     const py::array& matches, const py::dict& keywords, const RunOptions& how) {
+  const auto options = to_options<DistortionOptions>(keywords);
+  const std::vector<Match> pairs = to_matches(matches, "matches");
+  const Correspondence measured = pairs_on_surfaces(source, target, pairs);
+  const IsometricDistortion result = run(how, [&](const Context& context) {
+    return isometric_distortion(source.shape(context), target.shape(context), measured, options,
+                                context);
+  });
+  return py::make_tuple(result.mean, result.maximum,
+                        adopt(spread(source, target, pairs, measured, result.per_match)));
+}
+
+py::tuple orientation(const PreparedMesh& source, const PreparedMesh& target,
+                      const py::array& matches, const py::dict& keywords, const RunOptions& how) {
+  const auto options = to_options<OrientationOptions>(keywords);
+  const Correspondence measured = pairs_on_surfaces(source, target, to_matches(matches, "matches"));
+  const MapOrientation result = run(how, [&](const Context& context) {
+    return map_orientation(source.shape(context), target.shape(context), measured, options,
+                           context);
+  });
+  return py::make_tuple(std::string(to_string(result.verdict)), result.preserved_share,
+                        result.mean_sign, result.votes);
+}
+
+}  // namespace
+
+void bind_metrics(py::module_& module) {
+  register_options<TruthOptions>(module, "truth");
+  register_options<DistortionOptions>(module, "distortion");
+  register_options<OrientationOptions>(module, "orientation");
+  module.def("evaluate", evaluate_json);
+  module.def("isometric_distortion", distortion);
+  module.def("map_orientation", orientation);
+}
+
+}  // namespace isomatch::python

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "page/page.h"
+
+#include "bindings.h"
+#include "match.h"
+#include "page/template.h"
+#include "run.h"
+
+namespace py = pybind11;
+
+namespace isomatch::python {
+namespace {
+
+void write(const std::string& path, const SavedAs& saved, const std::string& source_truth,
+           const std::string& target_truth, const RunOptions& how) {
+  cli::PageOptions options;
+  options.truth.source = source_truth;
+  options.truth.target = target_truth;
+  run_work(how, [&](const Context& context) {
+    cli::write_page(path, saved.folder, {saved.source, saved.target}, options, context);
+  });
+}
+
+}  // namespace
+
+void bind_page(py::module_& module) {
+  py::class_<SavedAs>(module, "SavedAs").def(py::init<std::string, std::string, std::string>());
+  module.def("has_page", [] { return !cli::page_template().empty(); });
+  module.def("write_page", write);
+}
+
+}  // namespace isomatch::python

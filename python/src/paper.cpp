@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/paper.h"
+
+#include "arrays.h"
+#include "bindings.h"
+#include "match.h"
+#include "match/input_numbers.h"
+#include "match/paper_output.h"
+#include "options.h"
+#include "prepared.h"
+#include "result/result.h"
+#include "run.h"
+
+namespace py = pybind11;
+
+namespace isomatch::python {
+namespace {
+
+using cli::PaperRun;
+
+const char* const kMethod = "paper";
+
+PaperRun match(const PreparedMesh& source, const PreparedMesh& target, const std::string& geodesics,
+               const py::dict& keywords, const RunOptions& how) {
+  const auto options = to_options<PaperOptions>(keywords);
+  PaperResult result = run(how, [&](const Context& context) {
+    return match_paper(source.shape(context), target.shape(context), options, context);
+  });
+  cli::Json json = report_options(kMethod, options);
+  json["geodesics"] = geodesics;
+  // Shapes are prepared by now.
+  return {to_inputs(source, target),
+          std::move(json),
+          std::move(result),
+          {source.shape({}).max_geodesic, target.shape({}).max_geodesic}};
+}
+
+/// Matches and the distortion of each.
+py::tuple to_tuple(cli::MeasuredMatches measured) {
+  return py::make_tuple(to_array(std::move(measured.matches)),
+                        adopt(std::move(measured.distortion)));
+}
+
+py::array_t<int> first_bases(const Surface& surface, const std::vector<int>& bases, int count) {
+  return adopt(input_numbers(surface, std::span(bases).first(static_cast<std::size_t>(count))));
+}
+
+py::dict to_dict(const PaperRun& run, const cli::InputNumbers& numbers, const PaperLevel& level) {
+  const PaperResult& result = run.result;
+  py::dict dict;
+  dict["source_radius"] = level.source_radius;
+  dict["target_radius"] = level.target_radius;
+  dict["source_bases"] =
+      first_bases(run.inputs.source.surface, result.source_bases, level.source_bases);
+  dict["target_bases"] =
+      first_bases(run.inputs.target.surface, result.target_bases, level.target_bases);
+  dict["matches"] = to_tuple(numbers.translate(level.matches, level.distortion));
+  dict["many_to_one"] = to_tuple(
+      numbers.translate(to_correspondence(level.many_to_one), level.many_to_one_distortion));
+  dict["outliers_moved"] = level.outliers_moved;
+  return dict;
+}
+
+py::list levels(const PaperRun& run) {
+  const cli::InputNumbers numbers(run.inputs, run.result);
+  py::list list;
+  for (const PaperLevel& level : run.result.levels) list.append(to_dict(run, numbers, level));
+  return list;
+}
+
+py::dict points(const PaperRun& run) {
+  VertexMap map = cli::InputNumbers(run.inputs, run.result).source_to_target();
+  auto [triangles, barycentric] = to_arrays(cli::corner_points(run.inputs.target.mesh, map));
+  py::dict result;
+  result["vertices"] = adopt(std::move(map));
+  result["triangles"] = std::move(triangles);
+  result["barycentric"] = std::move(barycentric);
+  return result;
+}
+
+void save(PaperRun& run, const SavedAs& saved) {
+  // Not the default method.
+  cli::Json defaults = report_options("tracked", PaperOptions{});
+  defaults["geodesics"] = "w20";
+  rename(run.inputs, saved, command_line(saved, run.options, defaults));
+  const py::gil_scoped_release release;
+  cli::write_paper(saved.folder, run);
+}
+
+}  // namespace
+
+void bind_paper(py::module_& module) {
+  register_options<PaperOptions>(module, kMethod);
+  py::class_<PaperRun>(module, "PaperRun")
+      .def("points", points)
+      .def("correspondence",
+           [](const PaperRun& run) {
+             const PaperLevel& last = run.result.levels.back();
+             return to_array(cli::InputNumbers(run.inputs, run.result)
+                                 .translate(last.matches, last.distortion)
+                                 .matches);
+           })
+      .def_property_readonly("levels", levels)
+      .def_property_readonly("complete", [](const PaperRun& run) { return run.result.complete; })
+      .def_property_readonly("seconds",
+                             [](const PaperRun& run) { return to_dict(run.result.times); })
+      .def("save", save);
+  module.def("match_paper", match);
+}
+
+}  // namespace isomatch::python
