@@ -6,9 +6,12 @@
 #include <type_traits>
 
 #include "isomatch/geodesics.h"
+#include "isomatch/map_inversion.h"
 #include "isomatch/metrics.h"
 #include "isomatch/paper.h"
+#include "isomatch/pose_transfer.h"
 #include "isomatch/synth.h"
+#include "isomatch/texture_transfer.h"
 #include "isomatch/tracked.h"
 
 /// The options of every stage as lists, from which command line flags, Python keywords and reports
@@ -115,6 +118,28 @@ void for_each_option(Options& options, const Visitor& visit) {
   visit("landmarks", landmarks, "evenly spaced matches that vote");
   visit("min_distance", min_distance, "how near a landmark looks at others, over sqrt(area)");
   visit("max_distance", max_distance, "how far a landmark looks at others, over sqrt(area)");
+}
+
+template <OptionsOf<InversionOptions> Options, class Visitor>
+void for_each_option(Options& options, const Visitor& visit) {
+  auto& [max_distance, normal_weight] = options;
+  visit("max_distance", max_distance,
+        "farther than this from what the source covers there is no point, over sqrt(area)");
+  visit("normal_weight", normal_weight,
+        "how much the angle between normals counts against distance, over sqrt(area)");
+}
+
+template <OptionsOf<TextureTransferOptions> Options, class Visitor>
+void for_each_option(Options& options, const Visitor& visit) {
+  auto& [cut_seams] = options;
+  visit("cut_seams", cut_seams, "cut faces along seams, which adds vertices at the end");
+}
+
+template <OptionsOf<PoseTransferOptions> Options, class Visitor>
+void for_each_option(Options& options, const Visitor& visit) {
+  auto& [same_rest_pose] = options;
+  visit("same_rest_pose", same_rest_pose,
+        "both meshes are in the same pose: carry how the frames differ from it");
 }
 
 template <OptionsOf<SynthOptions> Options, class Visitor>

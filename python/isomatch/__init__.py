@@ -45,6 +45,15 @@ from ._stages import (
     sample_jointly,
     synthesize,
 )
+from ._textures import (
+    TexturedMesh,
+    material_libraries,
+    read_textured_mesh,
+    read_vertex_colors,
+    write_colored_mesh,
+    write_textured_mesh,
+)
+from ._transfer import Points, Transfer, invert_map
 
 __version__ = _core.version
 
@@ -55,21 +64,30 @@ __all__ = [
     "Map",
     "Match",
     "Orientation",
+    "Points",
     "Shape",
     "SynthShape",
+    "TexturedMesh",
+    "Transfer",
     "evaluate",
     "farthest_points",
     "gaussian_curvature",
     "geodesic_diameter",
     "geodesic_distances",
     "integral_geodesic_distance",
+    "invert_map",
     "isometric_distortion",
     "map_orientation",
     "match",
+    "material_libraries",
     "read_mesh",
+    "read_textured_mesh",
+    "read_vertex_colors",
     "read_vts",
     "sample_bases",
     "sample_jointly",
     "synthesize",
+    "write_colored_mesh",
     "write_mesh",
+    "write_textured_mesh",
 ]

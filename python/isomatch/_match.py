@@ -16,6 +16,7 @@ from . import _core
 from ._meshes import Shape, as_shape, write_mesh
 from ._options import check_options, takes_options
 from ._stages import Distortion, evaluate, isometric_distortion
+from ._transfer import Points, Transfer
 from ._types import ArrayLike, MeshLike, PathLike, Progress, TruthLike
 
 
@@ -50,14 +51,21 @@ class Level(NamedTuple):
 
 
 class Map:
-    """A map from the source's vertices to points on the target, one of those that were found."""
+    """A map from the source's vertices to points on the target, one of those that were found.
+    Vertices are those of the meshes that were given, from 0."""
 
+    #: The meshes.
+    source: Shape
+    target: Shape
     #: (N) target vertex of each source vertex, -1 where it is unmatched.
     source_to_target: np.ndarray
     #: (N) target face of each source vertex, -1 where it is unmatched.
     triangles: np.ndarray
     #: (N, 3) barycentric weights of that face's corners, 0 where it is unmatched.
     barycentric: np.ndarray
+    #: (M) source vertex of each target vertex, -1 where it is unmatched; None with the paper's
+    #: method.
+    target_to_source: Optional[np.ndarray]
     #: (N, 3) the source's vertices in the target's pose and coordinates; None if the method does
     #: not register.
     registered_vertices: Optional[np.ndarray]
@@ -68,7 +76,10 @@ class Map:
     #: Whether it maps the mirror image of the source.
     mirrored: bool
 
-    def __init__(self, points, registered_vertices=None, figures=None):
+    def __init__(self, meshes, points, inverse=None, registered_vertices=None, figures=None):
+        self.source, self.target = meshes
+        self._inverse = inverse
+        self.target_to_source = inverse.vertices if inverse else None
         self.source_to_target = points["vertices"]
         self.triangles = points["triangles"]
         self.barycentric = points["barycentric"]
@@ -78,15 +89,18 @@ class Map:
         self.distance = figures.get("distance")
         self.mirrored = figures.get("mirrored", False)
 
+    @functools.cached_property
+    def transfer(self) -> Transfer:
+        """Carries what belongs to one mesh over to the other: `transfer(values)`, and methods for
+        all else; see `Transfer`."""
+        return Transfer(self.source, self.target, self, self._inverse)
+
 
 class Match(Map):
-    """The result of `match`. Vertices are those of the meshes that were given, from 0."""
+    """The result of `match`, and its best map."""
 
     #: "tracked" or "paper".
     method: str
-    #: The meshes.
-    source: Shape
-    target: Shape
     #: Other maps that are worth a look, best first.
     alternatives: List[Map]
     #: 1 - C1 / C2, with C the cost of the best map and of the best other one: near 0 where the
@@ -98,14 +112,12 @@ class Match(Map):
     #: Wall-clock seconds of each stage.
     seconds: Dict[str, float]
 
-    def __init__(self, core, method, source, target, landmarks, maps):
-        super().__init__(**maps[0])
+    def __init__(self, core, method, meshes, landmarks, maps):
+        super().__init__(meshes, **maps[0])
         self._core = core
         self._landmarks = landmarks
         self.method = method
-        self.source = source
-        self.target = target
-        self.alternatives = [Map(**parts) for parts in maps[1:]]
+        self.alternatives = [Map(meshes, **parts) for parts in maps[1:]]
         self.confidence = core.confidence if method == "tracked" else None
         self.oriented = core.oriented if method == "tracked" else None
         self.seconds = core.seconds
@@ -129,12 +141,6 @@ class Match(Map):
         if self.method != "tracked":
             return []
         return [Hypothesis(*figures) for figures in self._core.hypotheses]
-
-    @functools.cached_property
-    def target_to_source(self) -> Optional[np.ndarray]:
-        """(M) source vertex of each target vertex, -1 where it is unmatched. Of the tracked method
-        only; None with the paper's."""
-        return self._core.inverse_points(0)["vertices"] if self.method == "tracked" else None
 
     @takes_options("distortion")
     def distortion(
@@ -260,6 +266,7 @@ def _as_landmarks(landmarks):
 def _tracked_map(core, number):
     return {
         "points": core.points(number),
+        "inverse": Points(**core.inverse_points(number)),
         "registered_vertices": core.registered(number),
         "figures": core.figures(number),
     }
@@ -336,4 +343,4 @@ def match(
     pairs = _as_landmarks(landmarks)
     run = _core.RunOptions(threads, progress)
     core, maps = _METHODS[method](source, target, pairs, options, run)
-    return Match(core, method, source, target, pairs, maps)
+    return Match(core, method, (source, target), pairs, maps)

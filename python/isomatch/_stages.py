@@ -251,6 +251,8 @@ def as_truth(gt):
 
 def as_map(correspondence):
     """A map in any form as the core takes it: pairs of vertices, or faces and weights."""
+    if hasattr(correspondence, "triangles"):
+        return correspondence.triangles, correspondence.barycentric
     if isinstance(correspondence, tuple) and len(correspondence) == 2:
         return tuple(np.asarray(array) for array in correspondence)
     return (as_matches(correspondence),)
@@ -276,7 +278,8 @@ def evaluate(
     correspondence
         A map (N) from source vertices to target vertices, -1 where there is none; an array (K, 2)
         of source and target vertices; or, for points on triangles, a tuple of an array (N) of
-        target faces, -1 where there is none, and an array (N, 3) of barycentric weights.
+        target faces, -1 where there is none, and an array (N, 3) of barycentric weights, or an object that has
+        both as `triangles` and `barycentric`.
     gt
         Ground truth: a map (N) as above; or a tuple of two lists of corresponding vertices, arrays
         or .vts files, of the source and of the target, and maybe a third one of the target under

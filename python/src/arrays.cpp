@@ -15,7 +15,6 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
 std::string shape_of(const py::array& array) {
@@ -35,15 +34,6 @@ int to_int(std::int64_t value, std::string_view name) {
   if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
     throw InvalidInput(fmt::format("{}: {} is out of range", name, value));
   return static_cast<int>(value);
-}
-
-/// (N, 3) numbers row by row.
-Doubles to_doubles(const py::array& array, std::string_view name) {
-  check_shape(array, name, 3);
-  const char kind = array.dtype().kind();
-  if (kind != 'f' && kind != 'i' && kind != 'u')
-    throw InvalidInput(fmt::format("{}: expected numbers", name));
-  return Doubles(array);
 }
 
 void check_weights(const SurfacePoint& point, std::size_t row) {
@@ -89,6 +79,15 @@ std::pair<py::array_t<int>, py::array_t<double>> to_arrays(SurfaceMap map) {
                               first->weights.data(), capsule)};
 }
 
+py::dict to_dict(const Mesh& mesh, SurfaceMap points) {
+  py::dict result;
+  result["vertices"] = adopt(nearest_vertices(mesh, points));
+  auto [triangles, barycentric] = to_arrays(std::move(points));
+  result["triangles"] = std::move(triangles);
+  result["barycentric"] = std::move(barycentric);
+  return result;
+}
+
 std::vector<int> to_integers(const py::array& array, std::string_view name, int columns) {
   check_shape(array, name, columns);
   const char kind = array.dtype().kind();
@@ -103,14 +102,30 @@ std::vector<int> to_integers(const py::array& array, std::string_view name, int 
   return result;
 }
 
+Doubles to_doubles(const py::array& array, std::string_view name, std::optional<int> columns) {
+  if (array.ndim() != 2)
+    throw InvalidInput(
+        fmt::format("{}: expected two dimensions, not shape ({})", name, shape_of(array)));
+  if (columns) check_shape(array, name, *columns);
+  const char kind = array.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw InvalidInput(fmt::format("{}: expected numbers", name));
+  return Doubles(array);
+}
+
+std::vector<Point> to_points(const py::array& array, std::string_view name) {
+  const Doubles coordinates = to_doubles(array, name, 3);
+  std::vector<Point> points(static_cast<std::size_t>(coordinates.shape(0)));
+  for (std::size_t v = 0; v < points.size(); ++v)
+    points[v] = Eigen::Map<const Point>(coordinates.data() + 3 * v);
+  return points;
+}
+
 Mesh to_mesh(const py::array& vertices, const py::array& faces) {
-  const Doubles coordinates = to_doubles(vertices, "vertices");
   const std::vector<int> corners = to_integers(faces, "faces", 3);
   Mesh mesh;
-  mesh.vertices.resize(static_cast<std::size_t>(coordinates.shape(0)));
+  mesh.vertices = to_points(vertices, "vertices");
   mesh.faces.resize(corners.size() / 3);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    mesh.vertices[v] = Eigen::Map<const Point>(coordinates.data() + 3 * v);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     mesh.faces[f] = {corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]};
   validate(mesh);
@@ -127,7 +142,7 @@ std::vector<Match> to_matches(const py::array& pairs, std::string_view name) {
 
 SurfaceMap to_surface_map(const py::array& faces, const py::array& weights) {
   const std::vector<int> face = to_integers(faces, "triangles");
-  const Doubles weight = to_doubles(weights, "barycentric");
+  const Doubles weight = to_doubles(weights, "barycentric", 3);
   if (static_cast<std::size_t>(weight.shape(0)) != face.size())
     throw InvalidInput(
         fmt::format("triangles and barycentric: {} and {} rows", face.size(), weight.shape(0)));

@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -34,6 +35,8 @@ pybind11::array_t<Scalar> adopt(std::vector<Scalar> values) {
   return adopt<Scalar, Scalar>(std::move(values), {size});
 }
 
+using Doubles = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+
 /// (N, 3) coordinates.
 pybind11::array_t<double> to_array(std::vector<Point> points);
 /// (M, 3) vertices.
@@ -42,10 +45,19 @@ pybind11::array_t<int> to_array(std::vector<Face> faces);
 pybind11::array_t<int> to_array(Correspondence matches);
 /// (N) faces, -1 where there is none, and (N, 3) weights.
 std::pair<pybind11::array_t<int>, pybind11::array_t<double>> to_arrays(SurfaceMap map);
+/// Points on a mesh: `triangles` and `barycentric` as above, and the nearest `vertices`.
+pybind11::dict to_dict(const Mesh& mesh, SurfaceMap points);
 
 /// Integers of any width and shape (N) or, if `columns` is given, (N, columns), row by row. Throws
 /// `InvalidInput` that begins with `name` for another shape, another type, or a number beyond int.
 std::vector<int> to_integers(const pybind11::array& array, std::string_view name, int columns = 0);
+
+/// Numbers of any type and shape (N, columns), or with any number of columns if it is not given.
+/// Throws `InvalidInput` that begins with `name` for another shape or type.
+Doubles to_doubles(const pybind11::array& array, std::string_view name,
+                   std::optional<int> columns = {});
+/// (N, 3) coordinates.
+std::vector<Point> to_points(const pybind11::array& array, std::string_view name);
 
 /// Mesh of (N, 3) coordinates and (M, 3) vertices, validated.
 Mesh to_mesh(const pybind11::array& vertices, const pybind11::array& faces);

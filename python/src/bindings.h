@@ -13,6 +13,8 @@ void bind_geodesics(pybind11::module_& module);
 void bind_saliency(pybind11::module_& module);
 void bind_sampling(pybind11::module_& module);
 void bind_metrics(pybind11::module_& module);
+void bind_transfer(pybind11::module_& module);
+void bind_textures(pybind11::module_& module);
 void bind_synth(pybind11::module_& module);
 void bind_tracked(pybind11::module_& module);
 void bind_paper(pybind11::module_& module);

@@ -20,20 +20,9 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-void check_lengths(const PreparedMesh& source, const PreparedMesh& target, const SurfaceMap& map) {
-  if (map.size() != source.mesh().vertices.size())
-    throw InvalidInput(fmt::format("the map has {} points, but the source {} vertices", map.size(),
-                                   source.mesh().num_vertices()));
-  for (const SurfacePoint& point : map) {
-    if (point.face >= target.mesh().num_faces())
-      throw InvalidInput(fmt::format("triangles: face {} is out of range; there are {}", point.face,
-                                     target.mesh().num_faces()));
-  }
-}
-
 cli::MeasuredMap points_map(const PreparedMesh& source, const PreparedMesh& target,
                             const SurfaceMap& map) {
-  check_lengths(source, target, map);
+  check_map(source, target, map);
   const Surface& onto = target.surface();
   SurfaceMap points = surface_map(source.surface(), onto, map);
   Correspondence matches = to_correspondence(nearest_vertices(onto.mesh, points));

@@ -32,6 +32,8 @@ PYBIND11_MODULE(_core, module) {
   bind_saliency(module);
   bind_sampling(module);
   bind_metrics(module);
+  bind_transfer(module);
+  bind_textures(module);
   bind_synth(module);
   bind_tracked(module);
   bind_paper(module);

@@ -44,8 +44,8 @@ void set_option(const char* name, const pybind11::object& given, Value& value) {
   }
 }
 
-/// `Options` with the values of `keywords` in place of defaults, validated. Throws TypeError for a
-/// keyword that is no option and for a value of another type.
+/// `Options` with the values of `keywords` in place of defaults, validated if values can be wrong.
+/// Throws TypeError for a keyword that is no option and for a value of another type.
 template <class Options>
 Options to_options(const pybind11::dict& keywords) {
   Options options;
@@ -56,7 +56,7 @@ Options to_options(const pybind11::dict& keywords) {
     ++used;
   });
   if (used != keywords.size()) throw pybind11::type_error("unknown option");
-  options.validate();
+  if constexpr (requires { options.validate(); }) options.validate();
   return options;
 }
 

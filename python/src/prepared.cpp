@@ -9,16 +9,11 @@
 #include <utility>
 
 #include "isomatch/error.h"
+#include "isomatch/topology.h"
 #include "load.h"
 
 namespace isomatch::python {
 namespace {
-
-void check_vertex(int vertex, std::size_t count, const char* name) {
-  if (vertex < 0 || static_cast<std::size_t>(vertex) >= count)
-    throw InvalidInput(
-        fmt::format("{}: vertex {} is out of range; there are {}", name, vertex, count));
-}
 
 GeodesicOptions geodesic_options(const std::string& name) {
   if (name == "edges") return GeodesicOptions::edges();
@@ -81,6 +76,23 @@ std::vector<int> surface_numbers(const Surface& surface, std::span<const int> ve
           fmt::format("{}: vertex {} is not on the surface that is matched", name, vertex));
   }
   return result;
+}
+
+void check_vertex(int vertex, std::size_t count, const char* name) {
+  if (vertex < 0 || static_cast<std::size_t>(vertex) >= count)
+    throw InvalidInput(
+        fmt::format("{}: vertex {} is out of range; there are {}", name, vertex, count));
+}
+
+void check_map(const PreparedMesh& from, const PreparedMesh& onto, const SurfaceMap& map) {
+  if (std::cmp_not_equal(map.size(), from.mesh().num_vertices()))
+    throw InvalidInput(fmt::format("the map has {} points, but the mesh {} vertices", map.size(),
+                                   from.mesh().num_vertices()));
+  for (const SurfacePoint& point : map) {
+    if (point.face < kNoFace || point.face >= onto.mesh().num_faces())
+      throw InvalidInput(fmt::format("triangles: face {} is out of range; there are {}", point.face,
+                                     onto.mesh().num_faces()));
+  }
 }
 
 void check_matches(const PreparedMesh& source, const PreparedMesh& target,

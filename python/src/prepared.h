@@ -12,6 +12,7 @@
 #include "isomatch/diagnosis.h"
 #include "isomatch/mesh_io.h"
 #include "isomatch/shape.h"
+#include "isomatch/surface_map.h"
 #include "match/inputs.h"
 
 namespace isomatch::python {
@@ -54,6 +55,12 @@ std::vector<int> input_numbers(const Surface& surface, std::span<const int> vert
 /// one is out of range or not part of the surface.
 std::vector<int> surface_numbers(const Surface& surface, std::span<const int> vertices,
                                  const char* name);
+
+/// Throws `InvalidInput` that begins with `name` unless `vertex` is one of `count`.
+void check_vertex(int vertex, std::size_t count, const char* name);
+
+/// Throws `InvalidInput` unless `map` has a point, or none, on `onto` for each vertex of `from`.
+void check_map(const PreparedMesh& from, const PreparedMesh& onto, const SurfaceMap& map);
 
 /// Throws `InvalidInput` if a match names a vertex that the meshes do not have.
 void check_matches(const PreparedMesh& source, const PreparedMesh& target,

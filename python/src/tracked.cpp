@@ -32,15 +32,8 @@ TrackedRun match(const PreparedMesh& source, const PreparedMesh& target, const p
 }
 
 /// A map from one mesh onto another in both forms.
-py::dict points_dict(const cli::MatchInput& from, const cli::MatchInput& onto,
-                     const SurfaceMap& map) {
-  SurfaceMap points = cli::input_points(from, onto, map);
-  py::dict result;
-  result["vertices"] = adopt(nearest_vertices(onto.mesh, points));
-  auto [triangles, barycentric] = to_arrays(std::move(points));
-  result["triangles"] = std::move(triangles);
-  result["barycentric"] = std::move(barycentric);
-  return result;
+py::dict map_dict(const cli::MatchInput& from, const cli::MatchInput& onto, const SurfaceMap& map) {
+  return to_dict(onto.mesh, cli::input_points(from, onto, map));
 }
 
 py::dict figures(const TrackedMap& map) {
@@ -90,13 +83,13 @@ void bind_tracked(py::module_& module) {
                              [](const TrackedRun& run) { return run.result.maps.size(); })
       .def("points",
            [](const TrackedRun& run, std::size_t k) {
-             return points_dict(run.inputs.source, run.inputs.target,
-                                run.result.maps.at(k).source_to_target);
+             return map_dict(run.inputs.source, run.inputs.target,
+                             run.result.maps.at(k).source_to_target);
            })
       .def("inverse_points",
            [](const TrackedRun& run, std::size_t k) {
-             return points_dict(run.inputs.target, run.inputs.source,
-                                run.result.maps.at(k).target_to_source);
+             return map_dict(run.inputs.target, run.inputs.source,
+                             run.result.maps.at(k).target_to_source);
            })
       .def("registered", [](const TrackedRun& run,
                             std::size_t k) { return registered(run, run.result.maps.at(k)); })

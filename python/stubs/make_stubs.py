@@ -17,7 +17,7 @@ HEADER = '''\
 # SPDX-License-Identifier: MIT
 # SPDX-FileCopyrightText: 2026 The isomatch authors
 # Made by python/stubs/make_stubs.py; a test compares.
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -77,7 +77,7 @@ def member_text(name, member):
 def is_public(name, member, owner):
     if name == "__init__":
         return "return" in member.__annotations__ and not dataclasses.is_dataclass(owner)
-    return not name.startswith("_") and (
+    return (name == "__call__" or not name.startswith("_")) and (
         inspect.isfunction(member) or isinstance(member, (property, functools.cached_property))
     )
 
