@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileCopyrightText: 2026 The isomatch authors
 # Made by python/stubs/make_stubs.py; a test compares.
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -10,13 +10,18 @@ from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress, TruthLike
 __version__: str
 
 class Map:
+    source: Shape
+    target: Shape
     source_to_target: np.ndarray
     triangles: np.ndarray
     barycentric: np.ndarray
+    target_to_source: Optional[np.ndarray]
     registered_vertices: Optional[np.ndarray]
     energy: Optional[float]
     distance: Optional[float]
     mirrored: bool
+    @property
+    def transfer(self) -> Transfer: ...
 
 class Shape:
     geodesics: str
@@ -51,6 +56,66 @@ class SynthShape:
     ground_truth: np.ndarray
     symmetric_ground_truth: np.ndarray
 
+class TexturedMesh:
+    vertices: np.ndarray
+    faces: np.ndarray
+    coordinates: np.ndarray
+    corners: np.ndarray
+    materials: List[str]
+    face_material: np.ndarray
+
+class Transfer:
+    source: Shape
+    target: Shape
+    def __init__(
+        self,
+        source: MeshLike,
+        target: MeshLike,
+        source_to_target: MapLike,
+        target_to_source: Optional[MapLike] = None,
+        *,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> None: ...
+    @property
+    def reverse(self) -> Transfer: ...
+    @property
+    def matched(self) -> np.ndarray: ...
+    def __call__(
+        self,
+        values: ArrayLike,
+    ) -> np.ndarray: ...
+    def values(
+        self,
+        values: ArrayLike,
+    ) -> np.ndarray: ...
+    def labels(
+        self,
+        labels: ArrayLike,
+    ) -> np.ndarray: ...
+    def landmarks(
+        self,
+        landmarks: MapLike,
+    ) -> Points: ...
+    def skin(
+        self,
+        weights: ArrayLike,
+    ) -> np.ndarray: ...
+    def poses(
+        self,
+        frames: ArrayLike,
+        *,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+        same_rest_pose: bool = False,
+    ) -> np.ndarray: ...
+    def texture(
+        self,
+        mesh: Union[TexturedMesh, PathLike],
+        *,
+        cut_seams: bool = True,
+    ) -> TexturedMesh: ...
+
 class Distortion(NamedTuple):
     mean: float
     maximum: float
@@ -74,8 +139,6 @@ class Level(NamedTuple):
 
 class Match(Map):
     method: str
-    source: Shape
-    target: Shape
     alternatives: List[Map]
     confidence: Optional[float]
     oriented: Optional[bool]
@@ -86,8 +149,6 @@ class Match(Map):
     def levels(self) -> List[Level]: ...
     @property
     def hypotheses(self) -> List[Hypothesis]: ...
-    @property
-    def target_to_source(self) -> Optional[np.ndarray]: ...
     def distortion(
         self,
         *,
@@ -121,6 +182,11 @@ class Orientation(NamedTuple):
     preserved_share: float
     mean_sign: float
     votes: int
+
+class Points(NamedTuple):
+    vertices: np.ndarray
+    triangles: np.ndarray
+    barycentric: np.ndarray
 
 def evaluate(
     source: MeshLike,
@@ -182,6 +248,17 @@ def integral_geodesic_distance(
     curvature_scale: float = 0.03,
 ) -> np.ndarray: ...
 
+def invert_map(
+    source: MeshLike,
+    target: MeshLike,
+    source_to_target: MapLike,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    max_distance: float = 0.05,
+    normal_weight: float = 0.05,
+) -> Points: ...
+
 def isometric_distortion(
     source: MeshLike,
     target: MeshLike,
@@ -236,9 +313,21 @@ def match(
     max_levels: int = 100,
 ) -> Match: ...
 
+def material_libraries(
+    path: PathLike,
+) -> List[str]: ...
+
 def read_mesh(
     path: PathLike,
 ) -> Tuple[np.ndarray, np.ndarray]: ...
+
+def read_textured_mesh(
+    path: PathLike,
+) -> TexturedMesh: ...
+
+def read_vertex_colors(
+    path: PathLike,
+) -> np.ndarray: ...
 
 def read_vts(
     path: PathLike,
@@ -288,7 +377,19 @@ def synthesize(
     seed: int = 1,
 ) -> SynthShape: ...
 
+def write_colored_mesh(
+    path: PathLike,
+    mesh: MeshLike,
+    colors: ArrayLike,
+) -> None: ...
+
 def write_mesh(
     path: PathLike,
     mesh: MeshLike,
+) -> None: ...
+
+def write_textured_mesh(
+    path: PathLike,
+    mesh: TexturedMesh,
+    library: str = '',
 ) -> None: ...

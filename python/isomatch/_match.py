@@ -97,7 +97,7 @@ class Map:
 
 
 class Match(Map):
-    """The result of `match`, and its best map."""
+    """The result of `match`: its best map, the other ones, and how they were found."""
 
     #: "tracked" or "paper".
     method: str
