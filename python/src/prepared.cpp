@@ -28,7 +28,7 @@ PreparedMesh::PreparedMesh(Mesh mesh, const std::string& geodesics)
     : input_{{}, std::move(mesh), {}, {}, {}}, geodesics_(geodesic_options(geodesics)) {
   Inspection inspection = inspect(input_.mesh);
   if (!inspection.surface) throw InvalidInput("the mesh has no face of positive area");
-  input_.diagnosis = std::move(inspection.diagnosis);
+  input_.diagnosis = inspection.diagnosis;
   input_.surface = std::move(*inspection.surface);
 }
 
@@ -36,7 +36,7 @@ PreparedMesh::PreparedMesh(const std::string& path, Mesh mesh, const MeshReadRep
                            const std::string& geodesics)
     : input_{path, std::move(mesh), read_report, {}, {}}, geodesics_(geodesic_options(geodesics)) {
   Inspection inspection = cli::inspected(path, input_.mesh);
-  input_.diagnosis = std::move(inspection.diagnosis);
+  input_.diagnosis = inspection.diagnosis;
   input_.surface = std::move(*inspection.surface);
 }
 
