@@ -17,7 +17,7 @@ from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress
 
 
 class Points(NamedTuple):
-    """Points on a mesh."""
+    """Points on the triangles of a mesh, one a row; it can be given as a map."""
 
     #: (K) the vertex nearest to each point, -1 where there is no point.
     vertices: np.ndarray

@@ -15,8 +15,8 @@ import isomatch
 
 @pytest.fixture(scope="module")
 def large():
-    """A pair that keeps a core busy for some seconds."""
-    return [isomatch.Shape(isomatch.synthesize(vertices=30000, pose=p)) for p in (1, 2)]
+    """A pair that keeps a core busy for a while."""
+    return [isomatch.Shape(isomatch.synthesize(vertices=12000, pose=p)) for p in (1, 2)]
 
 
 def test_progress_rises_to_the_end(pose1, pose2):
@@ -71,7 +71,7 @@ def test_other_threads_go_on(large):
 
 INTERRUPTED = """
 import isomatch, sys
-pair = [isomatch.Shape(isomatch.synthesize(vertices=30000, pose=p)) for p in (1, 2)]
+pair = [isomatch.Shape(isomatch.synthesize(vertices=12000, pose=p)) for p in (1, 2)]
 print("ready", flush=True)
 try:
     while True:
