@@ -61,8 +61,8 @@ struct TrackedResult {
   /// All hypotheses that were judged, best first.
   std::vector<HypothesisSummary> hypotheses;
   /// 1 - C1 / C2, C the energy times the distance (see `TrackedMap`) of the best map and of the
-  /// best other one, both half way through refinement: near 0 where the choice is ambiguous. 1 if
-  /// there was no other.
+  /// best other one: near 0 where the choice is ambiguous. Half way through refinement if no other
+  /// map was followed farther. 1 if there was no other.
   double confidence = 0;
   /// Whether both surfaces tell outside from inside, so that mirrored maps could be excluded.
   bool oriented = false;

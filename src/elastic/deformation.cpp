@@ -10,19 +10,22 @@ namespace {
 /// Cotangent weight of an edge in a triangulation by equilateral triangles.
 const double kEdgeWeight = 1 / std::sqrt(3.0);
 
-/// Turns `rotation` to the rotation closest to `m` (Mueller et al. 2016).
+/// Turns `rotation` to the rotation R closest to `m`, where tr(R^T m) is largest, by steps of
+/// Newton's method; where its Hessian is not positive, by those of Mueller et al. 2016.
 void extract_rotation(const Eigen::Matrix3d& m, Eigen::Quaterniond& rotation) {
   constexpr int kMaxIterations = 30;
-  constexpr double kTolerance = 5e-7;
-  for (int i = 0; i < kMaxIterations; ++i) {
-    const Eigen::Matrix3d r = rotation.toRotationMatrix();
-    const Point axis =
-        r.col(0).cross(m.col(0)) + r.col(1).cross(m.col(1)) + r.col(2).cross(m.col(2));
-    const double scale = r.col(0).dot(m.col(0)) + r.col(1).dot(m.col(1)) + r.col(2).dot(m.col(2));
-    const Point omega = axis / (std::abs(scale) + 1e-12);
-    const double angle = omega.norm();
-    if (angle < kTolerance) break;
-    rotation = Eigen::Quaterniond(Eigen::AngleAxisd(angle, omega / angle)) * rotation;
+  constexpr double kTolerance = 1e-5;  // Squared by the step that is made when it is reached.
+  double angle = 1;
+  for (int i = 0; i < kMaxIterations && angle > kTolerance; ++i) {
+    const Eigen::Matrix3d s = m * rotation.toRotationMatrix().transpose();
+    const Point gradient(s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1));
+    const double trace = s.trace();
+    const Eigen::Matrix3d hessian = trace * Eigen::Matrix3d::Identity() - 0.5 * (s + s.transpose());
+    const Eigen::LLT<Eigen::Matrix3d> newton(hessian);
+    Point turn = gradient / (std::abs(trace) + 1e-12);
+    if (newton.info() == Eigen::Success && newton.rcond() > 1e-3) turn = newton.solve(gradient);
+    angle = turn.norm();
+    rotation = Eigen::Quaterniond(1, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()) * rotation;
     rotation.normalize();
   }
 }

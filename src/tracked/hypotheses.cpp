@@ -16,7 +16,7 @@ namespace {
 /// The tips, then evenly spread nodes.
 Landmarks landmarks_of(const Proxy& proxy, const std::vector<int>& tips, int count) {
   std::vector<int> nodes = tips;
-  for (int i = 0; i < proxy.num_nodes() && static_cast<int>(nodes.size()) < count; ++i)
+  for (int i = 0; i < proxy.num_measured() && static_cast<int>(nodes.size()) < count; ++i)
     if (std::ranges::find(tips, i) == tips.end()) nodes.push_back(i);
   return {proxy, std::move(nodes)};
 }
@@ -109,7 +109,7 @@ Tips sharp_tips(const Proxy& source, const Proxy& target, const HypothesisOption
 }
 
 void append_spread_nodes(const Proxy& proxy, int count, std::vector<int>& tips) {
-  for (int i = 0; i < proxy.num_nodes() && static_cast<int>(tips.size()) < count; ++i)
+  for (int i = 0; i < proxy.num_measured() && static_cast<int>(tips.size()) < count; ++i)
     append_new(tips, {i});
 }
 
@@ -150,7 +150,7 @@ std::vector<int> extended(const LandmarkMap& map, const Landmarks& landmarks, co
   std::vector<int> targets;
   for (int i = 0; i < landmarks.size(); ++i)
     targets.push_back(*std::ranges::min_element(all, {}, [&](int k) {
-      return proxy.node_distance(images[landmarks.node(i)], landmarks.node(k));
+      return proxy.node_distance(landmarks.node(k), images[landmarks.node(i)]);
     }));
   return targets;
 }
@@ -231,7 +231,7 @@ std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target
   append_spread_nodes(source, options.seeds.spread_source_nodes, tips.source);
   append_spread_nodes(target, options.seeds.spread_target_nodes, tips.target);
   SeedOptions seeds = options.seeds;
-  seeds.min_matches = std::min({seeds.min_matches, source.num_nodes(), target.num_nodes()});
+  seeds.min_matches = std::min({seeds.min_matches, source.num_measured(), target.num_measured()});
   std::ranges::move(grown_hypotheses(source, target, tips, seeds, options, context),
                     std::back_inserter(hypotheses));
   return hypotheses;

@@ -26,8 +26,8 @@ HypothesisOptions with_landmarks(const Model& source, const Model& target,
                                  const TrackerOptions& options) {
   HypothesisOptions result = options.hypotheses;
   for (const Match& match : options.landmarks)
-    result.landmarks.push_back(
-        {nearest_node(source, match.source), nearest_node(target, match.target)});
+    result.landmarks.push_back({nearest_node(source, match.source, source.proxy.num_measured()),
+                                nearest_node(target, match.target, target.proxy.num_measured())});
   drop_repeated_nodes(result.landmarks);
   const auto most = static_cast<std::size_t>(result.coarse.source_landmarks / 2);
   result.landmarks.resize(std::min(result.landmarks.size(), most));

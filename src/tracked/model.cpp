@@ -29,7 +29,7 @@ Level make_level(const Proxy& proxy, const spectral::Eigenbasis& basis, int node
 /// The vertices of the detail from which places are measured, as the proxy has them.
 std::vector<int> place_vertices(const Proxy& proxy) {
   std::vector<int> vertices;
-  for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_nodes()); ++k)
+  for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_measured()); ++k)
     vertices.push_back(proxy.detail_vertex[proxy.nodes[k]]);
   return vertices;
 }
@@ -59,9 +59,9 @@ Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& op
   return model;
 }
 
-int nearest_node(const Model& model, int surface_vertex) {
+int nearest_node(const Model& model, int surface_vertex, int count) {
   const Point& p = model.surface.mesh.vertices[surface_vertex];
-  const auto& nodes = model.fine.graph.cloud.positions;
+  const auto nodes = std::span(model.fine.graph.cloud.positions).first(count);
   const auto nearest = std::ranges::min_element(
       nodes, {}, [&](const Point& node) { return (node - p).squaredNorm(); });
   return static_cast<int>(nearest - nodes.begin());

@@ -38,8 +38,8 @@ struct Model {
 Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& options,
                  const Context& context);
 
-/// The node that is closest in space.
-int nearest_node(const Model& model, int surface_vertex);
+/// Of the first `count` nodes the one that is closest in space.
+int nearest_node(const Model& model, int surface_vertex, int count);
 
 /// Vertices of the proxy.
 std::vector<int> node_vertices(const Proxy& proxy, std::vector<int> nodes);

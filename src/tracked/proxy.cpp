@@ -26,14 +26,14 @@ std::vector<int> spread_nodes(const GeodesicGraph& graph, int count) {
   return farthest_points(graph, all, count, start);
 }
 
-void measure_distances(const GeodesicGraph& graph, Proxy& proxy, const Context& context) {
+void measure_distances(Proxy& proxy, int most, const Context& context) {
   const std::size_t n = proxy.mesh.vertices.size();
-  proxy.distances.resize(proxy.num_nodes(), static_cast<Eigen::Index>(n));
+  proxy.distances.resize(std::min(proxy.num_nodes(), most), static_cast<Eigen::Index>(n));
 #pragma omp parallel num_threads(context.threads)
   {
-    GeodesicSearch search(graph);
+    GeodesicSearch search(proxy.graph);
 #pragma omp for schedule(dynamic, 16)
-    for (int i = 0; i < proxy.num_nodes(); ++i)
+    for (int i = 0; i < proxy.num_measured(); ++i)
       search.field(proxy.nodes[i], {proxy.distances.row(i).data(), n});
   }
 }
@@ -42,9 +42,8 @@ void measure_distances(const GeodesicGraph& graph, Proxy& proxy, const Context& 
 
 NodeGraph node_graph(const Proxy& proxy, int count) {
   count = std::min(count, proxy.num_nodes());
-  std::vector<int> nearest(proxy.mesh.vertices.size());
-  for (int v = 0; v < proxy.num_vertices(); ++v)
-    proxy.distances.col(v).head(count).minCoeff(&nearest[v]);
+  const std::vector<int> nearest =
+      GeodesicSearch(proxy.graph).nearest_source(std::span(proxy.nodes).first(count)).nearest;
   NodeGraph graph;
   graph.cloud.areas.assign(count, 0.0);
   const std::vector<double> areas = vertex_areas(proxy.mesh);
@@ -72,19 +71,24 @@ NodeGraph node_graph(const Proxy& proxy, int count) {
 
 Proxy make_proxy(const Detail& detail, bool oriented, const ProxyOptions& options,
                  const Context& context) {
-  Proxy proxy;
-  proxy.oriented = oriented;
   SimplifiedMesh simplified = simplify(detail.mesh, options.vertices);
-  proxy.mesh = std::move(simplified.mesh);
-  proxy.detail_vertex = std::move(simplified.kept);
+  GeodesicGraph graph(simplified.mesh, {}, context);
+  Proxy proxy{std::move(simplified.mesh),
+              std::move(simplified.kept),
+              {},
+              oriented,
+              {},
+              {},
+              {},
+              std::move(graph),
+              {}};
   for (int v : proxy.detail_vertex) proxy.features.push_back(detail.features[v]);
   proxy.faces = vertex_faces(proxy.mesh);
   proxy.normals = unit_normals(proxy.mesh);
-  const GeodesicGraph graph(proxy.mesh, {}, context);
-  proxy.nodes = spread_nodes(graph, options.nodes);
-  measure_distances(graph, proxy, context);
+  proxy.nodes = spread_nodes(proxy.graph, options.nodes);
+  measure_distances(proxy, options.measured_nodes, context);
   for (int v = 0; v < proxy.num_vertices(); ++v)
-    for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_nodes()); ++k)
+    for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_measured()); ++k)
       proxy.features[v].place[k] = proxy.distances(k, v);
   return proxy;
 }

@@ -15,9 +15,11 @@ namespace isomatch::tracked {
 using FloatMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct ProxyOptions {
-  /// Vertices and nodes of the proxy, at most.
-  int vertices = 3000;
-  int nodes = 1200;
+  /// Vertices of the proxy, nodes, and those of the nodes from which distances are measured, at
+  /// most.
+  int vertices = 5000;
+  int nodes = 1600;
+  int measured_nodes = 500;
 };
 
 /// A simplified copy of a surface, scaled to unit area, on which everything global is computed, and
@@ -36,13 +38,16 @@ struct Proxy {
   std::vector<elastic::Features> features;
   /// Proxy vertex of each node.
   std::vector<int> nodes;
-  /// Geodesic distances from the nodes (rows) to all vertices (columns).
+  GeodesicGraph graph;
+  /// Geodesic distances from the first nodes (rows) to all vertices (columns).
   FloatMatrix distances;
 
   int num_vertices() const { return mesh.num_vertices(); }
   int num_nodes() const { return static_cast<int>(nodes.size()); }
+  int num_measured() const { return static_cast<int>(distances.rows()); }
   const Point& node_position(int node) const { return mesh.vertices[nodes[node]]; }
   const Point& node_normal(int node) const { return normals[nodes[node]]; }
+  /// Of a node from which distances are measured to any node.
   float node_distance(int a, int b) const { return distances(a, nodes[b]); }
 };
 
@@ -53,10 +58,10 @@ struct NodeGraph {
   IndexLists neighbours;
 };
 
-/// O(count * vertices).
+/// O(N log N).
 NodeGraph node_graph(const Proxy& proxy, int count);
 
-/// `oriented` as the surface is. O(N log N + nodes * vertices log vertices).
+/// `oriented` as the surface is. O(N log N + measured nodes * vertices log vertices).
 Proxy make_proxy(const Detail& detail, bool oriented, const ProxyOptions& options,
                  const Context& context);
 

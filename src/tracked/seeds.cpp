@@ -11,9 +11,9 @@ namespace isomatch::tracked {
 namespace {
 
 std::vector<double> integral_distances(const Proxy& proxy) {
-  std::vector<double> integral(proxy.nodes.size(), 0.0);
+  std::vector<double> integral(proxy.num_measured(), 0.0);
   const std::vector<double> areas = vertex_areas(proxy.mesh);
-  for (int a = 0; a < proxy.num_nodes(); ++a)
+  for (int a = 0; a < proxy.num_measured(); ++a)
     for (int v = 0; v < proxy.num_vertices(); ++v) integral[a] += areas[v] * proxy.distances(a, v);
   return integral;
 }
@@ -134,9 +134,9 @@ std::vector<int> spread(const Proxy& proxy, std::vector<int> nodes, int count) {
 std::vector<int> extremities(const Proxy& proxy, const SeedOptions& options) {
   const std::vector<double> integral = integral_distances(proxy);
   std::vector<int> tips;
-  for (int a = 0; a < proxy.num_nodes(); ++a) {
+  for (int a = 0; a < proxy.num_measured(); ++a) {
     bool farthest = true;
-    for (int b = 0; farthest && b < proxy.num_nodes(); ++b)
+    for (int b = 0; farthest && b < proxy.num_measured(); ++b)
       farthest = integral[b] <= integral[a] || proxy.node_distance(a, b) > options.extremity_radius;
     if (farthest) tips.push_back(a);
   }

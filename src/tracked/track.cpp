@@ -16,7 +16,7 @@ std::vector<elastic::Pin> landmark_pins(const Model& source, const Model& target
                                         const Correspondence& landmarks) {
   std::vector<elastic::Pin> pins;
   for (const Match& match : landmarks) {
-    const int node = nearest_node(source, match.source);
+    const int node = nearest_node(source, match.source, source.fine.size());
     if (node < nodes) pins.push_back({node, target.surface.mesh.vertices[match.target]});
   }
   return pins;

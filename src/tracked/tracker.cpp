@@ -37,17 +37,27 @@ std::vector<Track> all_tracks(const std::vector<Start>& starts, int most, const 
   return tracks;
 }
 
-bool same_origin(const Track& a, const Track& b) {
-  return a.judged.source == b.judged.source &&
-         a.judged.hypothesis.target_nodes == b.judged.hypothesis.target_nodes;
+bool same_origin(const Judged& a, const Judged& b) {
+  return a.source == b.source && a.hypothesis.target_nodes == b.hypothesis.target_nodes;
 }
 
-/// How much better the winner's way to its map fitted than those to other maps.
-double confidence(const Track& winner, const std::vector<Track>& entrants) {
+/// Those that fit best and, since a map may be torn for a while on the middle level, the one that
+/// fitted best before.
+std::vector<const Track*> finalists_of(const std::vector<Track>& middle, const Judged& first,
+                                       int most) {
+  std::vector<const Track*> finalists;
+  for (std::size_t k = 0; k < middle.size(); ++k)
+    if (std::cmp_less(k, most) || same_origin(middle[k].judged, first))
+      finalists.push_back(&middle[k]);
+  return finalists;
+}
+
+/// How much better the winner fits than other maps.
+double margin(const Track& winner, const std::vector<Track>& tracks) {
   constexpr double kPerfect = 1e-5;  // Costs below this differ by the meshing alone.
   double own = std::numeric_limits<double>::infinity(), rival = own;
-  for (const Track& track : entrants) {
-    double& least = same_origin(track, winner) ? own : rival;
+  for (const Track& track : tracks) {
+    double& least = same_origin(track.judged, winner.judged) ? own : rival;
     least = std::min(least, kPerfect + track.cost());
   }
   return std::clamp(1 - own / rival, 0.0, 1.0);
@@ -67,10 +77,12 @@ Finals run_finals(const Model& target, const std::vector<Judged>& judged,
       options);
   context.check_stop();
   Finals finals;
-  finals.tracks = ranked(all_tracks(middle, finalists, context,
-                                    [&](const Track& track) { return tracking.finish(track); }),
+  const std::vector<const Track*> last = finalists_of(middle, judged.front(), finalists);
+  finals.tracks = ranked(all_tracks(last, static_cast<int>(last.size()), context,
+                                    [&](const Track* track) { return tracking.finish(*track); }),
                          options);
-  finals.confidence = confidence(finals.tracks.front(), middle);
+  finals.confidence =
+      margin(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks : middle);
   return finals;
 }
 

@@ -19,7 +19,7 @@ struct TrackerOptions {
   /// Different maps that are wanted.
   int different_maps = 1;
   /// Hypotheses that are followed on the middle level, all if several maps are wanted, and of these
-  /// on the fine level, at most.
+  /// on the fine level, at most, besides the first.
   int entrants = 6, finalists = 2;
   /// Choose by how well the surfaces fit, or else by the order of the hypotheses.
   bool elastic_judging = true;

@@ -158,7 +158,7 @@ TEST_F(MatchTracked, AlternativesHaveFoldersOfTheirOwn) {
     EXPECT_GE(cost(alternatives[k]), least);
     least = cost(alternatives[k]);
     const SurfaceMap map = points(folder);
-    EXPECT_GT(mean_distance(positions(map), positions(best)), 0.1);
+    EXPECT_GT(mean_distance(positions(map), positions(best)), 0.05);
     EXPECT_EQ(read_source_to_target(path(folder + "/source_to_target.txt"), counts()),
               nearest_vertices(target_, map));
     EXPECT_EQ(read_mesh(path(folder + "/registered.ply")).faces, source_.faces);

@@ -90,7 +90,7 @@ class GrowthTest : public testing::Test {
   /// creature, none where there is none.
   std::vector<int> mirror_map() const {
     std::vector<int> vertices;
-    for (int i = 0; i < mirrored_.proxy.num_nodes(); ++i)
+    for (int i = 0; i < mirrored_.proxy.num_measured(); ++i)
       vertices.push_back(input_vertex(mirrored_, i));
     std::vector<int> map;
     for (int i = 0; i < kLandmarks; ++i)
@@ -164,7 +164,7 @@ TEST_F(GrowthTest, DistortionIsTheMeanDifferenceOfDistances) {
 }
 
 TEST_F(GrowthTest, OrientationOfAMirrorImageIsReversed) {
-  const int count = mirrored_.proxy.num_nodes();
+  const int count = mirrored_.proxy.num_measured();
   const Landmarks all(mirrored_.proxy, first_numbers(count));
   LandmarkMap map{mirror_map()};
   for (int target : map.target_of_source) ASSERT_LT(target, count);

@@ -59,7 +59,7 @@ void expect_sound(const Prepared& prepared) {
   for (const Point& normal : proxy.normals) EXPECT_TRUE(normal.allFinite());
   ASSERT_GE(proxy.num_nodes(), 1);
   EXPECT_EQ(std::set<int>(proxy.nodes.begin(), proxy.nodes.end()).size(), proxy.nodes.size());
-  ASSERT_EQ(proxy.distances.rows(), proxy.num_nodes());
+  ASSERT_EQ(proxy.num_measured(), std::min(proxy.num_nodes(), ProxyOptions{}.measured_nodes));
   ASSERT_EQ(proxy.distances.cols(), proxy.num_vertices());
   EXPECT_TRUE(proxy.distances.allFinite());
   EXPECT_GE(proxy.distances.minCoeff(), 0);
@@ -148,6 +148,19 @@ TEST(Proxy, NodesAreFarthestPoints) {
     for (int v = 0; v < proxy.num_vertices(); ++v)
       nearest[v] = std::min(nearest[v], proxy.distances(i, v));
   }
+}
+
+TEST(Proxy, DistancesAreMeasuredFromTheFirstNodes) {
+  ProxyOptions options = kSmall;
+  options.measured_nodes = 40;
+  const Proxy all = Prepared(creature(), kSmall).proxy;
+  const Proxy some = Prepared(creature(), options).proxy;
+  EXPECT_EQ(some.nodes, all.nodes);
+  ASSERT_EQ(some.num_measured(), 40);
+  EXPECT_EQ(some.distances, all.distances.topRows(40));
+  const NodeGraph graph = node_graph(some, kSmall.nodes), same = node_graph(all, kSmall.nodes);
+  EXPECT_EQ(graph.cloud.areas, same.cloud.areas);
+  expect_graph(some, kSmall.nodes);
 }
 
 TEST(Proxy, NormalsFaceOutwardsHoweverFacesAreTurned) {
