@@ -1,7 +1,7 @@
 #!/bin/bash
 # Builds the project and runs all its tests, on Debian 12 from nothing: missing packages are
-# installed. The last line is 'N passed, N failed'; besides the tests, the build and each lint check
-# count as one, and so do the viewer's checks.
+# installed. The last line is 'N passed, N failed'; besides the tests, the build, the
+# documentation and each lint check count as one, and so do the viewer's checks.
 # Usage: ./test.sh [--lint] [--preset NAME]
 #   --lint    also check formatting and run clang-tidy (always on where CI is set)
 #   --preset  a preset of CMakePresets.json, such as asan-ubsan; default dev
@@ -89,4 +89,7 @@ if [ "$lint" = true ]; then
   check "clang-tidy" scripts/lint.sh tidy "$preset" || true
 fi
 run_tests
+if [ "$preset" = dev ]; then
+  check "documentation" scripts/build_docs.sh "build/$preset/tools/isomatch" || true
+fi
 if [ "$viewer" = true ]; then test_viewer; fi
