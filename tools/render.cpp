@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "command.h"
 #include "isomatch/error.h"
+#include "isomatch/texture_io.h"
 #include "picture/pair.h"
 #include "picture/position_colors.h"
+#include "result/materials.h"
 #include "result/pair_view.h"
 #include "result/result.h"
 
@@ -19,6 +23,8 @@ struct RenderArguments {
   MeshPlaces places;
   ViewOptions view;
   std::size_t alternative = 0;
+  /// Files of the source and the target.
+  std::vector<std::string> textures;
   int width = 1600;
 };
 
@@ -49,15 +55,46 @@ Color background_color(const std::string& name) {
   return name == "black" ? Color(0.01F, 0.01F, 0.012F) : Color(1, 1, 1);
 }
 
+/// A file's mesh, which begins with the vertices of a mesh that was matched, and what it shows.
+struct Painted {
+  Mesh mesh;
+  picture::TexturePaint paint;
+};
+
+Painted load_painted(const std::string& path, const Mesh& matched) {
+  TexturedMesh textured = read_textured_mesh(path);
+  const auto same = std::ranges::mismatch(matched.vertices, textured.mesh.vertices).in1;
+  if (same != matched.vertices.end())
+    throw BadFile(path, "does not begin with the vertices of the mesh that was matched");
+  Painted painted{std::move(textured.mesh), {std::move(textured.texture), {}}};
+  for (const std::string& image : material_images(path, painted.paint.texture.materials))
+    painted.paint.images.push_back(image.empty() ? picture::Image{} : picture::read_png(image));
+  return painted;
+}
+
+picture::Image draw_textures(const MatchResult& result, const PairView& view,
+                             const RenderArguments& arguments) {
+  Painted source = load_painted(arguments.textures[0], result.source);
+  Painted target = load_painted(arguments.textures[1], result.target);
+  return picture::draw_pair({source.mesh, std::move(source.paint), view.source},
+                            {target.mesh, std::move(target.paint), view.target}, arguments.width,
+                            background_color(arguments.background));
+}
+
+picture::Image draw_map(const MatchResult& result, const ResultMap& map, const PairView& view,
+                        const RenderArguments& arguments) {
+  const picture::PositionColors color(view.target, result.target.vertices);
+  return picture::draw_pair({result.source, source_colors(result, map, color), view.source},
+                            {result.target, target_colors(result, color), view.target},
+                            arguments.width, background_color(arguments.background));
+}
+
 void run_render(const RenderArguments& arguments) {
   const MatchResult result = load_result(arguments.folder, arguments.places);
   const ResultMap& map = chosen_map(result, arguments);
   const PairView view = choose_pair_view(result, map, arguments.view);
-  const picture::PositionColors color(view.target, result.target.vertices);
-  const picture::Portrait source{result.source, source_colors(result, map, color), view.source};
-  const picture::Portrait target{result.target, target_colors(result, color), view.target};
-  write_png(arguments.output,
-            draw_pair(source, target, arguments.width, background_color(arguments.background)));
+  write_png(arguments.output, arguments.textures.empty() ? draw_map(result, map, view, arguments)
+                                                         : draw_textures(result, view, arguments));
 }
 
 void add_view_options(CLI::App& command, RenderArguments& arguments) {
@@ -87,6 +124,12 @@ void add_render(CLI::App& app, Request& request) {
       .add_option("--alternative", arguments->alternative,
                   "Draw this alternative instead of the best map")
       ->type_name("K");
+  command
+      .add_option("--textures", arguments->textures,
+                  "Draw these textures instead: SOURCE, and the TARGET that `transfer` made; PNG "
+                  "images, a checkerboard without")
+      ->type_name("OBJ")
+      ->expected(2);
   command.add_option("--source", arguments->places.source, "The source mesh, if it was moved");
   command.add_option("--target", arguments->places.target, "The target mesh, if it was moved");
   add_view_options(command, *arguments);

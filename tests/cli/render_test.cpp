@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "isomatch/texture_io.h"
 #include "match_program.h"
 #include "program.h"
 
@@ -75,6 +76,55 @@ TEST_F(Render, AFolderWithoutAResultIsRefused) {
   match();
   folder_.write("out/report.json", "{\"options\": ");
   EXPECT_THAT(refusal(), HasSubstr("is not the report of a match"));
+}
+
+class RenderTextures : public Render {
+ protected:
+  void SetUp() override {
+    Render::SetUp();
+    match();
+    TexturedMesh source{source_, {}};
+    source.texture.coordinates = {{0, 0}, {1, 0}, {0, 1}};
+    source.texture.corners.assign(source_.faces.size(), {0, 1, 2});
+    source.texture.materials = {"fur"};
+    source.texture.face_material.assign(source_.faces.size(), 0);
+    write_textured_mesh(path("source.obj"), source, "");
+    const Outcome outcome = run({"transfer", path("out"), "--texture", path("source.obj"), "-o",
+                                 path("target.obj"), "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  }
+
+  std::vector<std::string> textures() const {
+    return {"--textures", path("source.obj"), path("target.obj")};
+  }
+};
+
+TEST_F(RenderTextures, AreDrawnInsteadOfTheMap) {
+  ASSERT_EQ(render().exit_code, 0);
+  const std::string map = bytes("picture.png");
+  const Outcome outcome = render(textures());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const std::string checkerboard = bytes("picture.png");
+  EXPECT_NE(checkerboard, map);
+
+  // An image of its own for both: what was drawn before.
+  fs::rename(path("picture.png"), path("my fur.png"));
+  folder_.write("source.mtl", "newmtl fur\nmap_Kd -clamp on my fur.png\n");
+  folder_.write("source.obj", "mtllib source.mtl\n" + bytes("source.obj"));
+  ASSERT_EQ(render(textures()).exit_code, 0);
+  EXPECT_NE(bytes("picture.png"), checkerboard);
+}
+
+TEST_F(RenderTextures, OfAnotherMeshAreRefused) {
+  EXPECT_THAT(refusal({"--textures", path("target.obj"), path("source.obj")}),
+              HasSubstr("does not begin with the vertices"));
+}
+
+TEST_F(RenderTextures, AnImageThatIsNoPngIsNamed) {
+  folder_.write("source.mtl", "newmtl fur\nmap_Kd fur.png\n");
+  folder_.write("fur.png", "no picture");
+  folder_.write("source.obj", "mtllib source.mtl\n" + bytes("source.obj"));
+  EXPECT_THAT(refusal(textures()), HasSubstr("fur.png"));
 }
 
 TEST_F(Render, BadOptionsAreRefused) {

@@ -30,7 +30,13 @@ grep --quiet '^[0-9]* % [a-z]' progress.txt || fail "progress of levels"
 [ "$(head -1 distances.txt)" = "0 0" ] || fail "distance of a vertex to itself"
 [ "$(sort --unique distances.txt | wc -l)" = 10 ] || fail "ten different vertices"
 
-for example in match levels distances; do
+"$isomatch" match pose1.off pose2.off -o inverse --quiet --target-to-source
+seq "$(wc -l <inverse/source_to_target.txt)" >labels.txt
+"$examples/example_labels" pose1.off pose2.off inverse/target_to_source.bary.txt labels.txt carried.txt
+"$isomatch" transfer inverse --labels labels.txt -o by_the_program.txt
+cmp carried.txt by_the_program.txt || fail "labels differ from those that the program carries"
+
+for example in match levels distances labels; do
   if "$examples/example_$example" 2>usage.txt; then fail "$example without arguments"; fi
   grep --quiet "^usage: example_$example " usage.txt || fail "usage of $example"
 done

@@ -43,6 +43,47 @@ TEST(Canvas, CoversTheAreaOfATriangle) {
   EXPECT_EQ(image.at(0, 0), kBlack);
 }
 
+/// Two triangles that cover a square of 40 pixels with a whole image.
+TexturePaint whole_image(const Mesh& square, const Image& image) {
+  TexturePaint paint{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, square.faces, {"image"}, {0, 0}}, {image}};
+  return paint;
+}
+
+const Mesh kSquare{{{0, 0, 0}, {40, 0, 0}, {40, 40, 0}, {0, 40, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+
+TEST(Canvas, ATexturesImageStandsUpright) {
+  const Color blue{0, 0, 1};
+  Canvas canvas(40, 40, kBlack);
+  canvas.draw(kSquare, whole_image(kSquare, {2, 2, {kRed, kGreen, blue, kBlack}}), pixels(40));
+  const Image image = canvas.image();
+  // In the middle of each of the four pixels, up to the light.
+  EXPECT_TRUE(image.at(10, 10).normalized().isApprox(kRed, 0.05F));
+  EXPECT_TRUE(image.at(30, 10).normalized().isApprox(kGreen, 0.05F));
+  EXPECT_TRUE(image.at(10, 30).normalized().isApprox(blue, 0.05F));
+  EXPECT_LT(image.at(30, 30).norm(), 0.1F);
+}
+
+TEST(Canvas, WithoutAnImageThereIsACheckerboard) {
+  Canvas canvas(40, 40, kBlack);
+  canvas.draw(kSquare, whole_image(kSquare, {}), pixels(40));
+  const Image image = canvas.image();
+  // Squares of five pixels.
+  EXPECT_GT((image.at(2, 2) - image.at(7, 2)).norm(), 0.1F);
+  EXPECT_LT((image.at(2, 2) - image.at(3, 3)).norm(), 0.1F);
+}
+
+TEST(Canvas, FacesWithoutTextureAreGrey) {
+  TexturePaint paint = whole_image(kSquare, {1, 1, {kRed}});
+  paint.texture.corners[1].fill(Texture::kNone);
+  paint.texture.face_material[1] = Texture::kNone;
+  Canvas canvas(40, 40, kBlack);
+  canvas.draw(kSquare, paint, pixels(40));
+  const Image image = canvas.image();
+  EXPECT_EQ(image.at(30, 35)[1], 0);
+  EXPECT_NEAR(image.at(10, 5)[0], image.at(10, 5)[1], 0.05F);
+  EXPECT_GT(image.at(10, 5)[1], 0);
+}
+
 TEST(Canvas, EdgesAreSmooth) {
   const Mesh mesh = triangle({0, 0, 0}, {40, 13, 0}, {0, 39, 0});
   Canvas canvas(40, 40, kBlack);

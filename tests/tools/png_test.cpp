@@ -34,6 +34,25 @@ TEST(Png, ComesBackAsItWasWritten) {
                                                0, 0, 0, 255, 255, 255, 255, 255, 0}));
 }
 
+TEST(Png, IsReadAsItWasWritten) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("picture.png");
+  const Image image{2, 2, {{1, 0, 0}, {0, 1, 0}, {0.2158605F, 0, 1}, {1, 1, 1}}};
+  write_png(path, image);
+  const Image read = read_png(path);
+  EXPECT_EQ(read.width, 2);
+  EXPECT_EQ(read.height, 2);
+  ASSERT_EQ(read.pixels.size(), 4U);
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(read.pixels[i].isApprox(image.pixels[i], 1e-5F));
+}
+
+TEST(Png, WhatCannotBeReadIsNamed) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(read_png(folder.path("absent.png")), BadFile);
+  folder.write("text.png", "no picture");
+  EXPECT_THROW(read_png(folder.path("text.png")), BadFile);
+}
+
 TEST(Png, AFolderThatIsNotThereIsNamed) {
   EXPECT_THROW(write_png("/no/such/folder/a.png", {1, 1, {{1, 1, 1}}}), BadFile);
 }

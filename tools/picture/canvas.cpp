@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -43,7 +44,8 @@ struct Canvas::Corner {
   /// In samples, x right, y down, z towards the viewer.
   Eigen::Vector3f place;
   Eigen::Vector3f normal;
-  Color color;
+  /// A colour, or what it follows from.
+  Eigen::Vector3f look{0, 0, 0};
 };
 
 Canvas::Canvas(int width, int height, const Color& background) : width_(width), height_(height) {
@@ -58,6 +60,30 @@ Canvas::Canvas(int width, int height, const Color& background) : width_(width), 
 void Canvas::draw(const Mesh& mesh, std::span<const Color> colors, const Projection& projection) {
   if (colors.size() != mesh.vertices.size())
     throw InvalidInput("drawing needs a colour for every vertex");
+  std::vector<Corner> corners = project(mesh, projection);
+  for (std::size_t v = 0; v < corners.size(); ++v) corners[v].look = colors[v];
+  for (const Face& face : mesh.faces)
+    fill(corners[face[0]], corners[face[1]], corners[face[2]],
+         [](const Eigen::Vector3f& look) -> const Color& { return look; });
+}
+
+void Canvas::draw(const Mesh& mesh, const TexturePaint& paint, const Projection& projection) {
+  const Texture& texture = paint.texture;
+  validate(texture, mesh);
+  const std::vector<Corner> corners = project(mesh, projection);
+  for (int f = 0; f < mesh.num_faces(); ++f) {
+    std::array<Corner, 3> own;
+    for (int k = 0; k < 3; ++k) {
+      own[k] = corners[mesh.faces[f][k]];
+      if (texture.covers(f))
+        own[k].look.head<2>() = texture.coordinates[texture.corners[f][k]].cast<float>();
+    }
+    fill(own[0], own[1], own[2],
+         [&](const Eigen::Vector3f& look) { return paint(f, look.head<2>()); });
+  }
+}
+
+std::vector<Canvas::Corner> Canvas::project(const Mesh& mesh, const Projection& projection) {
   const std::vector<Point> normals = weighted_vertex_normals(mesh);
   std::vector<Corner> corners(mesh.vertices.size());
   for (std::size_t v = 0; v < corners.size(); ++v) {
@@ -65,13 +91,14 @@ void Canvas::draw(const Mesh& mesh, std::span<const Color> colors, const Project
     const Point place = kSamples * Point(projection.centre.x() + projection.scale * seen.x(),
                                          projection.centre.y() - projection.scale * seen.y(),
                                          projection.scale * seen.z());
-    corners[v] = {place.cast<float>(),
-                  (projection.rotation * normals[v].normalized()).cast<float>(), colors[v]};
+    corners[v].place = place.cast<float>();
+    corners[v].normal = (projection.rotation * normals[v].normalized()).cast<float>();
   }
-  for (const Face& face : mesh.faces) fill(corners[face[0]], corners[face[1]], corners[face[2]]);
+  return corners;
 }
 
-void Canvas::fill(const Corner& a, const Corner& b, const Corner& c) {
+template <class Paint>
+void Canvas::fill(const Corner& a, const Corner& b, const Corner& c, const Paint& paint) {
   const auto [x0, x1] = std::minmax({a.place.x(), b.place.x(), c.place.x()});
   const auto [y0, y1] = std::minmax({a.place.y(), b.place.y(), c.place.y()});
   const auto cross = [](const Eigen::Vector3f& o, const Eigen::Vector3f& p, float x, float y) {
@@ -93,7 +120,7 @@ void Canvas::fill(const Corner& a, const Corner& b, const Corner& c) {
       const float depth = wa * a.place.z() + wb * b.place.z() + wc * c.place.z();
       if (depth <= depth_[sample]) continue;
       depth_[sample] = depth;
-      samples_[sample] = (wa * a.color + wb * b.color + wc * c.color) *
+      samples_[sample] = paint(wa * a.look + wb * b.look + wc * c.look) *
                          shade(wa * a.normal + wb * b.normal + wc * c.normal);
     }
   }

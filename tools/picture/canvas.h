@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "isomatch/mesh.h"
-#include "picture/image.h"
+#include "picture/texture_paint.h"
 
 namespace isomatch::picture {
 
@@ -33,12 +33,17 @@ class Canvas {
   /// O(faces + covered samples).
   void draw(const Mesh& mesh, std::span<const Color> colors, const Projection& projection);
 
+  /// The same with the colours of a texture, which must fit the mesh.
+  void draw(const Mesh& mesh, const TexturePaint& paint, const Projection& projection);
+
   /// What has been drawn so far, samples averaged.
   Image image() const;
 
  private:
   struct Corner;
-  void fill(const Corner& a, const Corner& b, const Corner& c);
+  static std::vector<Corner> project(const Mesh& mesh, const Projection& projection);
+  template <class Paint>
+  void fill(const Corner& a, const Corner& b, const Corner& c, const Paint& paint);
 
   int width_, height_;
   std::vector<Color> samples_;

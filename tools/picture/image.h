@@ -22,6 +22,13 @@ struct Image {
 /// The sRGB byte of a linear intensity, which is clamped to [0, 1] first.
 unsigned char srgb_byte(float linear);
 
+/// The linear intensity of an sRGB byte.
+float linear_intensity(unsigned char srgb);
+
+/// Reads a PNG of any kind; what is transparent is white behind. Throws `BadFile` if it is missing
+/// or no sound PNG.
+Image read_png(const std::string& path);
+
 /// Writes `image` as an sRGB PNG of 8 bits a channel. The file appears whole or not at all. Throws
 /// `BadFile` if it cannot be written.
 void write_png(const std::string& path, const Image& image);

@@ -33,11 +33,12 @@ Image draw_pair(const Portrait& left, const Portrait& right, int width, const Co
   for (int side = 0; side < 2; ++side) {
     const Portrait& portrait = side == 0 ? left : right;
     const double extent = scale * sizes[side].x();
-    canvas.draw(portrait.mesh, portrait.colors,
-                {portrait.rotation,
-                 portrait.rotation.transpose() * boxes[side].center(),
-                 {x + extent / 2, margin + scale * height / 2},
-                 scale / units[side]});
+    const Projection projection{portrait.rotation,
+                                portrait.rotation.transpose() * boxes[side].center(),
+                                {x + extent / 2, margin + scale * height / 2},
+                                scale / units[side]};
+    std::visit([&](const auto& look) { canvas.draw(portrait.mesh, look, projection); },
+               portrait.look);
     x += extent + gap;
   }
   return canvas.image();

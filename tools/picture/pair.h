@@ -2,15 +2,17 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <variant>
+
 #include "picture/canvas.h"
 
 namespace isomatch::picture {
 
-/// A mesh as it is to be seen: a colour for every vertex, and rows that point right, up and towards
-/// the viewer.
+/// A mesh as it is to be seen: a colour for every vertex or a texture, and rows that point right,
+/// up and towards the viewer.
 struct Portrait {
   const Mesh& mesh;
-  std::vector<Color> colors;
+  std::variant<std::vector<Color>, TexturePaint> look;
   Eigen::Matrix3d rotation;
 };
 

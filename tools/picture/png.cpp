@@ -45,6 +45,27 @@ unsigned char srgb_byte(float linear) {
   return static_cast<unsigned char>(std::lround(255 * encoded));
 }
 
+float linear_intensity(unsigned char srgb) {
+  const float x = static_cast<float>(srgb) / 255;
+  return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+}
+
+Image read_png(const std::string& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) throw BadFile(path, png.message);
+  png.format = PNG_FORMAT_RGB;
+  std::vector<unsigned char> bytes(PNG_IMAGE_SIZE(png));
+  const png_color background{255, 255, 255};
+  if (png_image_finish_read(&png, &background, bytes.data(), 0, nullptr) == 0)
+    throw BadFile(path, png.message);
+  Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
+    image.pixels.emplace_back(linear_intensity(bytes[i]), linear_intensity(bytes[i + 1]),
+                              linear_intensity(bytes[i + 2]));
+  return image;
+}
+
 void write_png(const std::string& path, const Image& image) {
   AtomicFile file(path);
   file.write(encode(image));

@@ -4,12 +4,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
 #include "isomatch/texture_io.h"
 #include "isomatch/texture_transfer.h"
+#include "result/materials.h"
 #include "transfer/carry.h"
 
 namespace isomatch::cli {
@@ -17,38 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keywords of material files whose lines end with the name of an image.
-bool names_image(const std::string& keyword) {
-  return keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" ||
-         keyword == "decal" || keyword == "refl" || keyword == "norm";
-}
-
 /// `path` as seen from the folder of `output`.
 std::string seen_from(const std::string& output, const fs::path& path) {
   const fs::path folder = fs::absolute(output).parent_path();
   return fs::absolute(path).lexically_normal().lexically_relative(folder).generic_string();
 }
 
-/// A line of a material file in `folder` as one of the file `output`: the image's name follows.
+/// A line of a material file in `folder` as one of the file `output`.
 std::string moved_line(const std::string& line, const fs::path& folder, const std::string& output) {
-  std::istringstream words(line);
-  std::string keyword;
-  words >> keyword;
-  if (!names_image(keyword)) return line;
-  const std::size_t last = line.find_last_not_of(" \t\r");
-  std::size_t start = line.find_first_not_of(" \t", line.find(keyword) + keyword.size());
-  if (start == std::string::npos) return line;
-  // Options may stand before the name, and the name may hold blanks: the longest rest that is a
-  // file counts, failing that the last word.
-  for (std::size_t at = start; at != std::string::npos && at <= last;) {
-    const std::string name = line.substr(at, last + 1 - at);
-    const std::size_t blank = line.find_first_of(" \t", at);
-    const bool is_last = blank == std::string::npos || blank > last;
-    if (is_last || fs::exists(folder / name))
-      return line.substr(0, at) + seen_from(output, folder / name);
-    at = line.find_first_not_of(" \t", blank);
-  }
-  return line;
+  const std::optional<std::size_t> start = image_name_start(line, folder);
+  if (!start) return line;
+  const std::string name = line.substr(*start, line.find_last_not_of(" \t\r") + 1 - *start);
+  return line.substr(0, *start) + seen_from(output, folder / name);
 }
 
 /// The materials of the texture's own files.
