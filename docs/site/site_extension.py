@@ -49,11 +49,14 @@ def copy_katex(folder):
 
 def repair_theme(folder):
     """Debian's Furo expects a web server with other packages' files, and modules in JavaScript,
-    which browsers do not load from disk."""
+    which browsers do not load from disk. Its style has lost the rule that follows the reader's
+    preference for dark pages."""
     style = folder / "styles/furo.css"
     imported = re.compile(r"^@import url\(/javascript/(.*?)\);")
-    text = style.read_text()
-    style.write_text(imported.sub(lambda match: (JAVASCRIPT / match[1]).read_text(), text))
+    text = imported.sub(lambda match: (JAVASCRIPT / match[1]).read_text(), style.read_text())
+    dark = re.search(r'body\[data-theme="dark"\] (\{.*?\})', text, re.DOTALL)[1]
+    preferred = f'@media (prefers-color-scheme: dark) {{ body:not([data-theme="light"]) {dark} }}'
+    style.write_text(f"{text}\n@media not print {{ {preferred} }}\n")
     script = folder / "scripts/furo.js"
     text = script.read_text().replace('import Gumshoe from "./gumshoe-patched.js";', "")
     script.write_text((folder / "scripts/gumshoe-patched.js").read_text() + text)
