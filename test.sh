@@ -1,7 +1,8 @@
 #!/bin/bash
 # Builds the project and runs all its tests, on Debian 12 from nothing: missing packages are
 # installed. The last line is 'N passed, N failed'; besides the tests, the build, the
-# documentation and each lint check count as one, and so do the viewer's checks.
+# documentation and each lint check count as one, and so do the viewer's checks and the glTF
+# validator.
 # Usage: ./test.sh [--lint] [--preset NAME]
 #   --lint    also check formatting and run clang-tidy (always on where CI is set)
 #   --preset  a preset of CMakePresets.json, such as asan-ubsan; default dev
@@ -77,6 +78,10 @@ test_viewer() {
     check "viewer in a browser" npm --prefix viewer run test:browser || true
 }
 
+test_gltf() {
+  check "glTF validator" scripts/validate_gltf.sh "build/$preset/tools/isomatch" || true
+}
+
 sections=(build python test)
 [ "$lint" != true ] || sections+=(lint)
 
@@ -93,3 +98,4 @@ if [ "$preset" = dev ]; then
   check "documentation" scripts/build_docs.sh "build/$preset/tools/isomatch" || true
 fi
 if [ "$viewer" = true ]; then test_viewer; fi
+test_gltf

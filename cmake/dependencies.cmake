@@ -1,14 +1,17 @@
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(fmt REQUIRED)
+# Its own package config asks for programs that Debian packages apart.
+find_library(ISOMATCH_LIBZIP zip REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(nanoflann REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Spectra REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(ZLIB REQUIRED)
 if(ISOMATCH_BUILD_TOOLS)
   find_package(CLI11 REQUIRED)
   find_package(PNG REQUIRED)
-  find_package(ZLIB REQUIRED)
 endif()
 if(ISOMATCH_BUILD_PYTHON)
   # Another Python that comes first in PATH need not have what Debian's has.

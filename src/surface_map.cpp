@@ -34,6 +34,27 @@ Point position(const Mesh& mesh, const SurfacePoint& point) {
   return sum;
 }
 
+SurfaceMap corner_points(const Mesh& mesh) {
+  SurfaceMap points(mesh.vertices.size());
+  for (int f = 0; f < mesh.num_faces(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      SurfacePoint& point = points[mesh.faces[f][k]];
+      if (point.face != kNoFace) continue;
+      point.face = f;
+      point.weights[k] = 1;
+    }
+  }
+  return points;
+}
+
+SurfaceMap corner_points(const Mesh& target, const VertexMap& source_to_target) {
+  const SurfaceMap vertices = corner_points(target);
+  SurfaceMap points(source_to_target.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (source_to_target[v] != kUnmatched) points[v] = vertices[source_to_target[v]];
+  return points;
+}
+
 VertexMap nearest_vertices(const Mesh& mesh, const SurfaceMap& map) {
   VertexMap vertices;
   vertices.reserve(map.size());

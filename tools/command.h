@@ -31,6 +31,7 @@ void add_synth(CLI::App& app, Request& request);
 void add_render(CLI::App& app, Request& request);
 void add_report(CLI::App& app, Request& request);
 void add_transfer(CLI::App& app, Request& request);
+void add_convert(CLI::App& app, Request& request);
 
 /// Adds `--threads` and `--quiet`, for subcommands that take more than a moment.
 void add_run_options(CLI::App& command, Request& request);

@@ -70,7 +70,8 @@ void run_info(const InfoArguments& arguments) {
 void add_info(CLI::App& app, Request& request) {
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App& command = *app.add_subcommand("info", "Print what a mesh is made of and its defects");
-  command.add_option("MESH", arguments->mesh, "OFF, OBJ, PLY or STL file")->required();
+  command.add_option("MESH", arguments->mesh, "OFF, OBJ, PLY, STL, GLB, glTF or MAT file")
+      ->required();
   command.add_flag("--json", arguments->json, "Print JSON");
   set_example(command, "isomatch info horse.off");
   command.callback([arguments, &request] {

@@ -21,6 +21,7 @@ void describe_program(CLI::App& app, Request& request) {
   add_render(app, request);
   add_report(app, request);
   add_transfer(app, request);
+  add_convert(app, request);
   set_example(app, "isomatch match cat0.off cat1.off -o cats");
 }
 

@@ -28,26 +28,11 @@ struct RenderArguments {
   int width = 1600;
 };
 
-const ResultMap& chosen_map(const MatchResult& result, const RenderArguments& arguments) {
-  if (arguments.alternative >= result.maps.size())
-    throw BadFile(arguments.folder, "has no alternative " + std::to_string(arguments.alternative));
-  return result.maps[arguments.alternative];
-}
-
 std::vector<Color> target_colors(const MatchResult& result, const picture::PositionColors& color) {
   const std::vector<bool> matched = matched_targets(result);
   std::vector<Color> colors;
   for (int v = 0; v < result.target.num_vertices(); ++v)
     colors.push_back(matched[v] ? color(result.target.vertices[v]) : picture::kUnmatchedColor);
-  return colors;
-}
-
-std::vector<Color> source_colors(const MatchResult& result, const ResultMap& map,
-                                 const picture::PositionColors& color) {
-  const std::vector<Point> places = images(result.target, map);
-  std::vector<Color> colors;
-  for (int v = 0; v < result.source.num_vertices(); ++v)
-    colors.push_back(map.is_matched(v) ? color(places[v]) : picture::kUnmatchedColor);
   return colors;
 }
 
@@ -91,7 +76,7 @@ picture::Image draw_map(const MatchResult& result, const ResultMap& map, const P
 
 void run_render(const RenderArguments& arguments) {
   const MatchResult result = load_result(arguments.folder, arguments.places);
-  const ResultMap& map = chosen_map(result, arguments);
+  const ResultMap& map = chosen_map(result, arguments.alternative);
   const PairView view = choose_pair_view(result, map, arguments.view);
   write_png(arguments.output, arguments.textures.empty() ? draw_map(result, map, view, arguments)
                                                          : draw_textures(result, view, arguments));

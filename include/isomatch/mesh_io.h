@@ -26,6 +26,12 @@ struct MeshReadReport {
 /// - .ply: ASCII and binary of both byte orders, any properties; elements "vertex", "face" and
 ///   "tristrips", others are passed over.
 /// - .stl: ASCII and binary, whichever the content is.
+/// - .glb, .gltf: glTF 2.0, its buffers inside, in data URIs or in files beside it. Of the first
+/// mesh
+///   in the scene all triangles, strips and fans, moved by the transforms of the nodes above it;
+///   parts that share their positions share vertices. Not read: Draco and meshopt compression.
+/// - .mat: a shape in a MATLAB file of level 5, as in TOSCA: matrices X, Y, Z and TRIV, or VERT and
+///   TRIV, as fields of a struct or by themselves; TRIV counts vertices from one.
 ///
 /// Vertices keep the file's order and number. Only STL has no vertices of its own: it gets one for
 /// each distinct position, in order of first appearance. Faces keep the file's order too.
@@ -36,17 +42,22 @@ struct MeshReadReport {
 /// formats and the byte, from 0, in binary ones. What is returned passes `validate`.
 ///
 /// O(N). Numbers do not depend on the locale. Memory stays within a small multiple of the file's
-/// size, whatever the file announces.
+/// size (of what it unpacks to, where it is compressed), whatever the file announces.
 Mesh read_mesh(const std::string& path, MeshReadReport* report = nullptr);
 
-/// Writes `mesh` as .off, .obj or .ply (binary little endian, double coordinates) by the ending of
-/// `path`. The file appears whole or not at all, see `AtomicFile`. Coordinates, vertex order and
-/// faces survive a round trip exactly. Throws `InvalidInput` if `mesh` fails `validate`, `BadFile`
-/// if the file cannot be written or the ending is another one. O(N).
+/// Writes `mesh` as .off, .obj, .ply (binary little endian, double coordinates), .glb, .gltf (in
+/// one file) or .mat (a struct `surface` of X, Y, Z and TRIV) by the ending of `path`. The file
+/// appears whole or not at all, see `AtomicFile`. Vertex order and faces survive a round trip
+/// exactly, and so do coordinates, which glTF rounds to 32 bits. Throws `InvalidInput` if `mesh`
+/// fails `validate`, `BadFile` if the file cannot be written, the ending is another one, or the
+/// mesh is too large for the format. O(N).
 void write_mesh(const std::string& path, const Mesh& mesh);
 
 /// Throws the `BadFile` that `write_mesh` would throw because of `path` alone, for use before long
 /// work. Leaves no trace.
 void check_mesh_output(const std::string& path);
+
+/// Whether `path` ends like a mesh file that `read_mesh` knows.
+bool is_mesh_file_name(const std::string& path);
 
 }  // namespace isomatch

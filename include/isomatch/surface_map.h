@@ -31,6 +31,12 @@ Point position(const Mesh& mesh, const SurfacePoint& point);
 /// there is none.
 VertexMap nearest_vertices(const Mesh& mesh, const SurfaceMap& map);
 
+/// Each vertex of `mesh` as a point: a corner of its first face. Vertices without a face have none.
+SurfaceMap corner_points(const Mesh& mesh);
+
+/// A map to vertices of `target` as one to points.
+SurfaceMap corner_points(const Mesh& target, const VertexMap& source_to_target);
+
 /// A map between surfaces as one between the input meshes. Input vertices that are not part of the
 /// source's surface have no point.
 SurfaceMap input_map(const Surface& source, const Surface& target, const SurfaceMap& map);

@@ -71,7 +71,7 @@ py::list levels(const PaperRun& run) {
 
 py::dict points(const PaperRun& run) {
   VertexMap map = cli::InputNumbers(run.inputs, run.result).source_to_target();
-  auto [triangles, barycentric] = to_arrays(cli::corner_points(run.inputs.target.mesh, map));
+  auto [triangles, barycentric] = to_arrays(corner_points(run.inputs.target.mesh, map));
   py::dict result;
   result["vertices"] = adopt(std::move(map));
   result["triangles"] = std::move(triangles);

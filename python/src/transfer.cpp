@@ -44,7 +44,7 @@ SurfaceMap given_map(const PreparedMesh& from, const PreparedMesh& onto, const p
     for (const int vertex : vertices) {
       if (vertex != kUnmatched) check_vertex(vertex, onto.mesh().vertices.size(), "the map");
     }
-    points = cli::corner_points(onto.mesh(), vertices);
+    points = corner_points(onto.mesh(), vertices);
   }
   check_map(from, onto, points);
   return points;
@@ -75,7 +75,7 @@ py::dict landmarks(const Transfer& transfer, const py::tuple& arrays) {
   } else {
     const std::vector<int> vertices = to_integers(arrays[0].cast<py::array>(), "landmarks");
     for (const int vertex : vertices) check_vertex(vertex, source.vertices.size(), "landmarks");
-    points = cli::corner_points(source, vertices);
+    points = corner_points(source, vertices);
   }
   const Mesh& target = transfer.target->mesh();
   return to_dict(target, transfer_points(source, target, transfer.source_to_target, points));

@@ -6,6 +6,7 @@
 #include "isomatch/atomic_file.h"
 #include "isomatch/mesh.h"
 #include "isomatch/mesh_io.h"
+#include "isomatch/model_io.h"
 #include "isomatch/texture_io.h"
 
 /// One reader and one writer a format; see `read_mesh` and `write_mesh` for what they promise.
@@ -17,20 +18,32 @@ struct ReadResult {
   /// What only the readers that are asked for it fill, and only if the file has it.
   Texture texture;
   VertexColors colors;
+  std::vector<Pose> poses;
 };
+
+/// Throws `BadFile` unless there are vertices and faces, and not too many.
+void check_size(const Mesh& mesh, const InputFile& file);
 
 ReadResult read_off(const InputFile& file);
 ReadResult read_obj(const InputFile& file);
 ReadResult read_ply(const InputFile& file);
 ReadResult read_stl(const InputFile& file);
+ReadResult read_gltf(const InputFile& file);
+ReadResult read_mat(const InputFile& file);
 
 ReadResult read_textured_obj(const InputFile& file);
 ReadResult read_colored_ply(const InputFile& file);
+ReadResult read_gltf_model(const InputFile& file);
 
 void write_off(const Mesh& mesh, AtomicFile& file);
 void write_obj(const Mesh& mesh, AtomicFile& file);
 void write_ply(const Mesh& mesh, AtomicFile& file);
+void write_glb(const Mesh& mesh, AtomicFile& file);
+void write_gltf(const Mesh& mesh, AtomicFile& file);
+void write_mat(const Mesh& mesh, AtomicFile& file);
 
 void write_colored_ply(const Mesh& mesh, const VertexColors& colors, AtomicFile& file);
+void write_glb_model(const Model& model, AtomicFile& file);
+void write_gltf_model(const Model& model, AtomicFile& file);
 
 }  // namespace isomatch::mesh_io

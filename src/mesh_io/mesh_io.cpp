@@ -25,24 +25,40 @@ struct Format {
   void (*write)(const Mesh&, AtomicFile&);
 };
 
-constexpr std::array<Format, 4> kFormats = {{{".off", mesh_io::read_off, mesh_io::write_off},
+constexpr std::array<Format, 7> kFormats = {{{".off", mesh_io::read_off, mesh_io::write_off},
                                              {".obj", mesh_io::read_obj, mesh_io::write_obj},
                                              {".ply", mesh_io::read_ply, mesh_io::write_ply},
+                                             {".glb", mesh_io::read_gltf, mesh_io::write_glb},
+                                             {".gltf", mesh_io::read_gltf, mesh_io::write_gltf},
+                                             {".mat", mesh_io::read_mat, mesh_io::write_mat},
                                              {".stl", mesh_io::read_stl, nullptr}}};
 
-const Format& format_of(const std::string& path) {
+const Format* find_format(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
-  for (const Format& format : kFormats)
-    if (equal_ignoring_case(format.ending, ending)) return format;
-  throw BadFile(path, fmt::format("the ending {} is not that of a mesh file: .off .obj .ply .stl",
-                                  in_quotes(ending)));
+  const auto found = std::ranges::find_if(
+      kFormats, [&](const Format& format) { return equal_ignoring_case(format.ending, ending); });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+const Format& format_of(const std::string& path) {
+  if (const Format* format = find_format(path)) return *format;
+  std::string endings;
+  for (const Format& format : kFormats) endings += fmt::format(" {}", format.ending);
+  throw BadFile(path,
+                fmt::format("the ending {} is not that of a mesh file:{}",
+                            in_quotes(std::filesystem::path(path).extension().string()), endings));
 }
 
 const Format& writable_format_of(const std::string& path) {
   const Format& format = format_of(path);
-  if (!format.write) throw BadFile(path, "STL files are only read; write .off, .obj or .ply");
+  if (!format.write)
+    throw BadFile(path, "STL files are only read; write .off, .obj, .ply, .glb, .gltf or .mat");
   return format;
 }
+
+}  // namespace
+
+namespace mesh_io {
 
 void check_size(const Mesh& mesh, const InputFile& file) {
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
@@ -52,14 +68,16 @@ void check_size(const Mesh& mesh, const InputFile& file) {
     file.fail("the mesh has more vertices or triangles than this program can number");
 }
 
-}  // namespace
+}  // namespace mesh_io
+
+bool is_mesh_file_name(const std::string& path) { return find_format(path) != nullptr; }
 
 Mesh read_mesh(const std::string& path, MeshReadReport* report) {
   // A file that is missing is told as such, whatever its name.
   const InputFile file(path);
   const Format& format = format_of(path);
   mesh_io::ReadResult result = format.read(file);
-  check_size(result.mesh, file);
+  mesh_io::check_size(result.mesh, file);
   if (report) *report = result.report;
   return std::move(result.mesh);
 }

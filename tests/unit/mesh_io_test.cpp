@@ -63,7 +63,7 @@ bool same_bits(const std::vector<Point>& a, const std::vector<Point>& b) {
 TEST(MeshIo, RoundTripsAreExact) {
   const TemporaryFolder folder;
   const Mesh mesh = wild_mesh();
-  for (const char* name : {"a.off", "a.obj", "a.ply"}) {
+  for (const char* name : {"a.off", "a.obj", "a.ply", "a.mat"}) {
     write_mesh(folder.path(name), mesh);
     MeshReadReport report{7, 7};
     const Mesh copy = read_mesh(folder.path(name), &report);
@@ -71,6 +71,22 @@ TEST(MeshIo, RoundTripsAreExact) {
     EXPECT_EQ(copy.faces, mesh.faces) << name;
     EXPECT_EQ(report.triangulated_polygons, 0);
     EXPECT_EQ(report.merged_vertices, 0);
+  }
+}
+
+TEST(MeshIo, GltfRoundsCoordinatesAndKeepsTheRest) {
+  const TemporaryFolder folder;
+  Mesh mesh = wild_mesh();
+  for (Point& p : mesh.vertices)
+    for (double& c : p)
+      if (std::abs(c) > std::numeric_limits<float>::max()) c = std::copysign(0.1, c);
+  Mesh rounded = mesh;
+  for (Point& p : rounded.vertices) p = p.cast<float>().cast<double>();
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    write_mesh(folder.path(name), mesh);
+    const Mesh copy = read_mesh(folder.path(name));
+    EXPECT_TRUE(same_bits(copy.vertices, rounded.vertices)) << name;
+    EXPECT_EQ(copy.faces, mesh.faces) << name;
   }
 }
 
@@ -113,8 +129,10 @@ TEST(MeshIo, NumbersDoNotDependOnTheLocale) {
   const TemporaryFolder folder;
   Mesh mesh = tetrahedron();
   mesh.vertices[0] = Point(1234567.5, 0, 0);
-  write_mesh(folder.path("a.off"), mesh);
-  EXPECT_EQ(read_mesh(folder.path("a.off")).vertices, mesh.vertices);
+  for (const char* name : {"a.off", "a.glb", "a.gltf"}) {
+    write_mesh(folder.path(name), mesh);
+    EXPECT_EQ(read_mesh(folder.path(name)).vertices, mesh.vertices) << name;
+  }
   std::locale::global(old);
 }
 
@@ -127,9 +145,14 @@ TEST(MeshIo, NamesFilesThatCannotBeRead) {
   EXPECT_EQ(error(empty), empty + ": the file is empty");
   const std::string unknown = folder.write("mesh.3ds", "M");
   EXPECT_EQ(error(unknown),
-            unknown + ": the ending '.3ds' is not that of a mesh file: .off .obj .ply .stl");
+            unknown +
+                ": the ending '.3ds' is not that of a mesh file: .off .obj .ply .glb .gltf .mat "
+                ".stl");
   const std::string bare = folder.write("off", "OFF");
-  EXPECT_EQ(error(bare), bare + ": the ending '' is not that of a mesh file: .off .obj .ply .stl");
+  EXPECT_EQ(error(bare),
+            bare +
+                ": the ending '' is not that of a mesh file: .off .obj .ply .glb .gltf .mat "
+                ".stl");
   const std::string directory = folder.path("folder.off");
   std::filesystem::create_directory(directory);
   EXPECT_EQ(error(directory), directory + ": is a folder");
@@ -150,7 +173,8 @@ TEST(MeshIo, FailedWritesLeaveNothing) {
   EXPECT_THROW(write_mesh(folder.path("a.ply"), Mesh{}), InvalidInput);
   EXPECT_THROW(write_mesh(folder.path("a.txt"), tetrahedron()), BadFile);
   EXPECT_EQ(message([&] { write_mesh(folder.path("a.stl"), tetrahedron()); }),
-            folder.path("a.stl") + ": STL files are only read; write .off, .obj or .ply");
+            folder.path("a.stl") +
+                ": STL files are only read; write .off, .obj, .ply, .glb, .gltf or .mat");
   EXPECT_THAT(folder.names(), testing::IsEmpty());
 }
 

@@ -51,8 +51,10 @@ void refuse_options_of_others(const CLI::App& command, const MatchCommand& match
 
 void add_common_options(CLI::App& command, MatchCommand& match) {
   MatchArguments& arguments = match.arguments;
-  command.add_option("SOURCE", arguments.source, "OFF, OBJ, PLY or STL file")->required();
-  command.add_option("TARGET", arguments.target, "OFF, OBJ, PLY or STL file")->required();
+  command.add_option("SOURCE", arguments.source, "OFF, OBJ, PLY, STL, GLB, glTF or MAT file")
+      ->required();
+  command.add_option("TARGET", arguments.target, "OFF, OBJ, PLY, STL, GLB, glTF or MAT file")
+      ->required();
   command.add_option("-o,--output", arguments.folder, "Folder for the results")->required();
   command
       .add_option("--method", match.method,

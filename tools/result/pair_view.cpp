@@ -37,6 +37,15 @@ PairView choose_pair_view(const MatchResult& result, const ResultMap& map,
   return {source, source * source_to_target_rotation(result, map).transpose()};
 }
 
+std::vector<picture::Color> source_colors(const MatchResult& result, const ResultMap& map,
+                                          const picture::PositionColors& color) {
+  const std::vector<Point> places = images(result.target, map);
+  std::vector<picture::Color> colors;
+  for (int v = 0; v < result.source.num_vertices(); ++v)
+    colors.push_back(map.is_matched(v) ? color(places[v]) : picture::kUnmatchedColor);
+  return colors;
+}
+
 std::vector<bool> matched_targets(const MatchResult& result) {
   std::vector<bool> matched(result.target.vertices.size());
   const VertexCounts counts{result.source.num_vertices(), result.target.num_vertices()};

@@ -27,6 +27,10 @@ struct ViewOptions {
 PairView choose_pair_view(const MatchResult& result, const ResultMap& map,
                           const ViewOptions& options = {});
 
+/// Of each source vertex the colour of the point it is matched to, `kUnmatchedColor` of the others.
+std::vector<picture::Color> source_colors(const MatchResult& result, const ResultMap& map,
+                                          const picture::PositionColors& color);
+
 /// For each target vertex whether the many-to-many relation of the best map reaches it.
 std::vector<bool> matched_targets(const MatchResult& result);
 

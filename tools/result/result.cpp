@@ -10,7 +10,6 @@
 #include "isomatch/error.h"
 #include "isomatch/map_io.h"
 #include "isomatch/mesh_io.h"
-#include "isomatch/topology.h"
 
 namespace isomatch::cli {
 namespace {
@@ -50,20 +49,6 @@ Mesh read_matched_mesh(const Json& report, const char* side, const std::string& 
                                     "{} and {}",
                                     mesh.num_vertices(), mesh.num_faces(), side, vertices, faces));
   return mesh;
-}
-
-/// A point on a face of each vertex of `mesh`, none of vertices without a face.
-SurfaceMap corners(const Mesh& mesh) {
-  SurfaceMap points(mesh.vertices.size());
-  for (int f = 0; f < mesh.num_faces(); ++f) {
-    for (int corner = 0; corner < 3; ++corner) {
-      SurfacePoint& point = points[mesh.faces[f][corner]];
-      if (point.face != kNoFace) continue;
-      point.face = f;
-      point.weights[corner] = 1;
-    }
-  }
-  return points;
 }
 
 ResultMap load_map(const MatchResult& result, const std::string& folder) {
@@ -106,13 +91,10 @@ MatchResult load_result(const std::string& folder, const MeshPlaces& places) {
   return result;
 }
 
-SurfaceMap corner_points(const Mesh& target, const VertexMap& source_to_target) {
-  const SurfaceMap vertices = corners(target);
-  SurfaceMap points(source_to_target.size());
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    if (source_to_target[v] != kUnmatched) points[v] = vertices[source_to_target[v]];
-  }
-  return points;
+const ResultMap& chosen_map(const MatchResult& result, std::size_t alternative) {
+  if (alternative >= result.maps.size())
+    throw BadFile(result.folder, fmt::format("has no alternative {}", alternative));
+  return result.maps[alternative];
 }
 
 std::vector<Point> images(const Mesh& target, const ResultMap& map) {

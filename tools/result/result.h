@@ -50,8 +50,8 @@ struct MeshPlaces {
 /// is missing, malformed, or a mesh is not the one that was matched.
 MatchResult load_result(const std::string& folder, const MeshPlaces& places = {});
 
-/// A map to vertices as one to corners of faces; no point where the target vertex has no face.
-SurfaceMap corner_points(const Mesh& target, const VertexMap& source_to_target);
+/// The best map, or an alternative, counted from one. Throws `BadFile` if there is none.
+const ResultMap& chosen_map(const MatchResult& result, std::size_t alternative);
 
 /// Where each source vertex lands; the origin where it is unmatched.
 std::vector<Point> images(const Mesh& target, const ResultMap& map);

@@ -12,7 +12,6 @@
 #include "isomatch/mesh_io.h"
 #include "isomatch/pose_transfer.h"
 #include "isomatch/texture_io.h"
-#include "isomatch/topology.h"
 #include "isomatch/transfer.h"
 #include "isomatch/values_io.h"
 
@@ -27,22 +26,6 @@ const Eigen::Vector3d kUnknownColor(0.5, 0.5, 0.5);
 void check_same_mesh(const std::string& path, const Mesh& mesh, const Mesh& from) {
   if (mesh.faces != from.faces || mesh.num_vertices() != from.num_vertices())
     throw BadFile(path, "does not have the vertices and faces of the mesh that was matched");
-}
-
-/// The points of vertices that a file lists, one a line.
-SurfaceMap vertex_points(const Mesh& mesh, const std::vector<int>& vertices) {
-  SurfaceMap first_corners(mesh.vertices.size());
-  for (int f = 0; f < mesh.num_faces(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      SurfacePoint& point = first_corners[mesh.faces[f][k]];
-      if (point.face != kNoFace) continue;
-      point.face = f;
-      point.weights[k] = 1;
-    }
-  }
-  SurfaceMap points;
-  for (int v : vertices) points.push_back(first_corners[v]);
-  return points;
 }
 
 /// The file for a frame in the folder of frames.
@@ -93,7 +76,7 @@ void carry_colors(const TransferJob& job, const TransferArguments& arguments) {
 void carry_landmarks(const TransferJob& job, const TransferArguments& arguments) {
   const std::vector<int> landmarks = read_vertex_list(arguments.landmarks, job.from.num_vertices());
   const SurfaceMap points =
-      transfer_points(job.from, job.onto, job.from_to_onto, vertex_points(job.from, landmarks));
+      transfer_points(job.from, job.onto, job.from_to_onto, corner_points(job.from, landmarks));
   if (arguments.output.ends_with(".bary.txt"))
     write_surface_map(arguments.output, points);
   else

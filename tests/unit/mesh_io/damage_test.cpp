@@ -11,6 +11,9 @@
 
 #include "isomatch/error.h"
 #include "isomatch/mesh_io.h"
+#include "isomatch/model_io.h"
+#include "support/gltf_files.h"
+#include "support/mat_files.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
 
@@ -60,6 +63,26 @@ std::string binary_stl() {
   return content;
 }
 
+/// With nodes, strips, sparse values and two parts.
+test::GltfText gltf_sample() {
+  return {.parts = R"({"attributes":{"POSITION":0},"indices":1,"mode":4},)"
+                   R"({"attributes":{"POSITION":0,"COLOR_0":0},"mode":5})",
+          .node = R"(,"scale":[1,-1,1],"translation":[1,2,3],"rotation":[0,0,0,1])",
+          .more = R"(,"materials":[{"name":"fur"}],"extensionsUsed":["KHR_materials_unlit"])"};
+}
+
+std::string gltf_with_uri() {
+  test::GltfText text = gltf_sample();
+  text.uri = ",\"uri\":\"data:application/octet-stream;base64," +
+             test::base64(test::tetrahedron_buffer()) + "\"";
+  return text.json();
+}
+
+std::string compressed_mat() {
+  const std::string plain = test::tetrahedron_mat(std::endian::little);
+  return plain.substr(0, 128) + test::MatWriter(std::endian::little).compressed(plain.substr(128));
+}
+
 std::vector<Sample> samples() {
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 -1.5e1 0\n"
@@ -82,7 +105,12 @@ std::vector<Sample> samples() {
           {"little ply", "ply", binary_ply(std::endian::little)},
           {"big ply", "ply", binary_ply(std::endian::big)},
           {"ascii stl", "stl", "solid sample\n" + facet + facet + "endsolid sample\n"},
-          {"binary stl", "stl", binary_stl()}};
+          {"binary stl", "stl", binary_stl()},
+          {"glb", "glb", test::glb(gltf_sample().json(), test::tetrahedron_buffer())},
+          {"gltf", "gltf", gltf_with_uri()},
+          {"little mat", "mat", test::tetrahedron_mat(std::endian::little)},
+          {"big mat", "mat", test::tetrahedron_mat(std::endian::big)},
+          {"compressed mat", "mat", compressed_mat()}};
 }
 
 /// Reads damaged files of one format.
@@ -95,6 +123,7 @@ class Victim {
   bool accepts(const std::string& content) const {
     const std::string path = folder_.write(name_, content);
     try {
+      validate(read_model(path));
       validate(read_mesh(path));
       return true;
     } catch (const BadFile& error) {

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "isomatch/error.h"
+#include "mesh_io/checks.h"
+#include "mesh_io/formats.h"
+#include "mesh_io/mat_file.h"
+
+namespace isomatch::mesh_io {
+namespace {
+
+using Arrays = std::map<std::string_view, const MatArray*>;
+
+bool is_shape(const Arrays& arrays) {
+  const bool has_points = arrays.contains("VERT") ||
+                          (arrays.contains("X") && arrays.contains("Y") && arrays.contains("Z"));
+  return has_points && arrays.contains("TRIV");
+}
+
+/// The arrays of the first struct that is a shape, or else those at top level.
+Arrays find_shape(const InputFile& file, const std::vector<MatVariable>& variables) {
+  Arrays top_level;
+  for (const MatVariable& variable : variables) {
+    if (variable.array) top_level[variable.name] = &*variable.array;
+    Arrays fields;
+    for (const auto& [name, array] : variable.fields) fields[name] = &array;
+    if (is_shape(fields)) return fields;
+  }
+  if (!is_shape(top_level))
+    file.fail("has no shape: X, Y, Z and TRIV, or VERT and TRIV, by themselves or in a struct");
+  return top_level;
+}
+
+/// Matrices of three columns, or else of three rows, read as so many triples.
+class Triples {
+ public:
+  Triples(const InputFile& file, std::string_view name, const MatArray& array)
+      : array_(array), is_transposed_(array.columns != 3) {
+    if (array.columns != 3 && array.rows != 3)
+      file.fail(fmt::format("{} is {} x {}, but must have three columns", name, array.rows,
+                            array.columns));
+  }
+
+  int size() const { return is_transposed_ ? array_.columns : array_.rows; }
+  double operator()(int i, int k) const {
+    const std::size_t row = is_transposed_ ? k : i, column = is_transposed_ ? i : k;
+    return array_.values[column * array_.rows + row];
+  }
+
+ private:
+  const MatArray& array_;
+  bool is_transposed_;
+};
+
+std::vector<Point> joined(const InputFile& file, const Arrays& arrays) {
+  const std::array<const MatArray*, 3> axes{arrays.at("X"), arrays.at("Y"), arrays.at("Z")};
+  const std::size_t count = axes[0]->values.size();
+  if (axes[1]->values.size() != count || axes[2]->values.size() != count)
+    file.fail("X, Y and Z are not equally many");
+  std::vector<Point> points(count);
+  for (std::size_t v = 0; v < count; ++v)
+    for (int k = 0; k < 3; ++k) points[v][k] = checked_coordinate(file, axes[k]->values[v]);
+  return points;
+}
+
+std::vector<Point> points_of(const InputFile& file, const Arrays& arrays) {
+  const auto found = arrays.find("VERT");
+  if (found == arrays.end()) return joined(file, arrays);
+  const Triples triples(file, "VERT", *found->second);
+  std::vector<Point> points(triples.size());
+  for (int v = 0; v < triples.size(); ++v)
+    for (int k = 0; k < 3; ++k) points[v][k] = checked_coordinate(file, triples(v, k));
+  return points;
+}
+
+int vertex(const InputFile& file, double number, std::size_t vertices) {
+  if (!(number >= 1 && number <= static_cast<double>(vertices)) || std::floor(number) != number)
+    file.fail(fmt::format("vertex {} in TRIV is out of range, there are {} vertices counted from 1",
+                          number, vertices));
+  return static_cast<int>(number) - 1;
+}
+
+// The format's own numbers.
+constexpr std::uint32_t kInt8 = 1, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;
+constexpr std::uint32_t kStructClass = 2, kDoubleClass = 6;
+
+/// The bytes of elements in the machine's own byte order, of which the header tells.
+class MatBytes {
+ public:
+  template <class T>
+  void append(std::uint32_t type, std::span<const T> values) {
+    append_tag(type, values.size_bytes());
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+    bytes_.resize((bytes_.size() + 7) / 8 * 8);
+  }
+
+  void append(const MatBytes& other) { bytes_ += other.bytes_; }
+
+  void append_tag(std::uint32_t type, std::size_t size) {
+    for (const std::uint32_t word : {type, static_cast<std::uint32_t>(size)})
+      bytes_.append(reinterpret_cast<const char*>(&word), sizeof(word));
+  }
+
+  /// What an array begins with.
+  void append_head(std::uint32_t array_class, std::array<std::int32_t, 2> size,
+                   std::string_view name) {
+    append<std::uint32_t>(kUint32, std::array{array_class, 0U});
+    append<std::int32_t>(kInt32, size);
+    append<char>(kInt8, name);
+  }
+
+  std::size_t size() const { return bytes_.size(); }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+MatBytes matrix(int rows, int columns, const std::vector<double>& values) {
+  MatBytes content;
+  content.append_head(kDoubleClass, {rows, columns}, "");
+  content.append<double>(kDouble, values);
+  MatBytes result;
+  result.append_tag(kMatrix, content.size());
+  result.append(content);
+  return result;
+}
+
+MatBytes coordinates(const Mesh& mesh, int axis) {
+  std::vector<double> values;
+  values.reserve(mesh.vertices.size());
+  for (const Point& point : mesh.vertices) values.push_back(point[axis]);
+  return matrix(mesh.num_vertices(), 1, values);
+}
+
+MatBytes corners(const Mesh& mesh) {
+  std::vector<double> values;
+  values.reserve(3 * mesh.faces.size());
+  for (int k = 0; k < 3; ++k)
+    for (const Face& face : mesh.faces) values.push_back(face[k] + 1);
+  return matrix(mesh.num_faces(), 3, values);
+}
+
+MatBytes surface(const Mesh& mesh) {
+  constexpr std::size_t kNameBytes = 8;
+  std::string names;
+  for (std::string name : {"X", "Y", "Z", "TRIV"}) {
+    name.resize(kNameBytes);
+    names += name;
+  }
+  MatBytes content;
+  content.append_head(kStructClass, {1, 1}, "surface");
+  // A single number stands in the tag.
+  content.append_tag(kInt32 | 4 << 16, kNameBytes);
+  content.append<char>(kInt8, names);
+  for (int axis = 0; axis < 3; ++axis) content.append(coordinates(mesh, axis));
+  content.append(corners(mesh));
+  return content;
+}
+
+std::string header() {
+  constexpr std::size_t kTextBytes = 124;
+  std::string text = "MATLAB 5.0 MAT-file, created by isomatch";
+  text.resize(kTextBytes - 8, ' ');
+  // No data of subsystems.
+  text.append(8, '\0');
+  constexpr std::uint16_t kVersion = 0x0100, kByteOrder = 0x4d49;
+  for (const std::uint16_t word : {kVersion, kByteOrder})
+    text.append(reinterpret_cast<const char*>(&word), sizeof(word));
+  return text;
+}
+
+}  // namespace
+
+ReadResult read_mat(const InputFile& file) {
+  const std::vector<MatVariable> variables = read_mat_variables(file);
+  const Arrays arrays = find_shape(file, variables);
+  ReadResult result;
+  result.mesh.vertices = points_of(file, arrays);
+  const Triples triples(file, "TRIV", *arrays.at("TRIV"));
+  result.mesh.faces.resize(triples.size());
+  for (int f = 0; f < triples.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      result.mesh.faces[f][k] = vertex(file, triples(f, k), result.mesh.vertices.size());
+  return result;
+}
+
+void write_mat(const Mesh& mesh, AtomicFile& file) {
+  const MatBytes content = surface(mesh);
+  if (content.size() > std::numeric_limits<std::uint32_t>::max())
+    throw BadFile(file.path(), "the mesh is too large for a MATLAB file of level 5");
+  MatBytes tag;
+  tag.append_tag(kMatrix, content.size());
+  file.write(header());
+  file.write(tag.bytes());
+  file.write(content.bytes());
+}
+
+}  // namespace isomatch::mesh_io

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "command.h"
+#include "isomatch/error.h"
+#include "isomatch/map_file.h"
+#include "isomatch/mesh_io.h"
+#include "isomatch/model_io.h"
+#include "result/result.h"
+#include "result/result_model.h"
+
+namespace isomatch::cli {
+namespace {
+
+struct ConvertArguments {
+  std::string input, output;
+  MeshPlaces places;
+  std::size_t alternative = 0;
+  bool one_based = false, write_one_based = false;
+
+  Numbering output_numbering() const {
+    return write_one_based ? Numbering::kFromOne : Numbering::kFromZero;
+  }
+};
+
+void convert_result(const ConvertArguments& arguments) {
+  const bool to_map = is_map_file_name(arguments.output);
+  to_map ? check_map_output(arguments.output) : check_mesh_output(arguments.output);
+  const MatchResult result = load_result(arguments.input, arguments.places);
+  const ResultMap& map = chosen_map(result, arguments.alternative);
+  if (to_map)
+    write_map(arguments.output, {map.source_to_target, map.points}, arguments.output_numbering());
+  else
+    write_model(arguments.output, result_model(result, map));
+}
+
+/// Adds the form that the output has, if it is another one than the input's.
+void add_missing_form(MapContent& map, const ConvertArguments& arguments,
+                      const std::optional<Mesh>& target) {
+  const bool to_points = is_point_map_file_name(arguments.output);
+  // Arrays have room for both forms.
+  const bool to_arrays = !to_points && target && arguments.output.ends_with(".npz");
+  const bool needs_points = map.points.empty() && (to_points || to_arrays);
+  const bool needs_vertices = map.source_to_target.empty() && !to_points &&
+                              (to_arrays || !arguments.output.ends_with(".npz"));
+  if (!needs_points && !needs_vertices) return;
+  if (!target)
+    throw InvalidInput("from vertices to points on triangles or back needs the mesh: --target");
+  if (needs_points) map.points = corner_points(*target, map.source_to_target);
+  if (needs_vertices) map.source_to_target = nearest_vertices(*target, map.points);
+}
+
+void print_numbering(const ConvertArguments& arguments, const MapReadReport& report,
+                     const MapChecks& checks) {
+  if (report.is_assumed)
+    fmt::print("{}: taken as numbered from zero; if it is not, say --one-based\n", arguments.input);
+  const bool is_told = arguments.one_based || arguments.input.ends_with(".vts");
+  if (report.numbering == Numbering::kFromOne && !is_told)
+    fmt::print("{}: numbered from one, since it names vertex {}\n", arguments.input,
+               checks.target_vertices.value_or(0));
+}
+
+void convert_map(const ConvertArguments& arguments) {
+  check_map_output(arguments.output);
+  MapChecks checks;
+  std::optional<Mesh> target;
+  if (!arguments.places.source.empty())
+    checks.source_vertices = read_mesh(arguments.places.source).num_vertices();
+  if (!arguments.places.target.empty()) {
+    target = read_mesh(arguments.places.target);
+    checks.target_vertices = target->num_vertices();
+    checks.target_faces = target->num_faces();
+  }
+  std::optional<Numbering> numbering;
+  if (arguments.one_based) numbering = Numbering::kFromOne;
+  MapReadReport report;
+  MapContent map = read_map(arguments.input, checks, numbering, &report);
+  print_numbering(arguments, report, checks);
+  add_missing_form(map, arguments, target);
+  write_map(arguments.output, map, arguments.output_numbering());
+}
+
+void run_convert(const ConvertArguments& arguments) {
+  if (std::filesystem::is_directory(arguments.input)) {
+    convert_result(arguments);
+  } else if (is_map_file_name(arguments.input)) {
+    convert_map(arguments);
+  } else {
+    if (arguments.one_based || arguments.write_one_based)
+      throw InvalidInput("--one-based and --write-one-based are for maps");
+    check_mesh_output(arguments.output);
+    write_model(arguments.output, read_model(arguments.input));
+  }
+}
+
+void add_map_options(CLI::App& command, ConvertArguments& arguments) {
+  command.add_flag("--one-based", arguments.one_based,
+                   "IN, a map, numbers from one; without this from zero unless that cannot be");
+  command.add_flag("--write-one-based", arguments.write_one_based,
+                   "Number from one in OUT, a map; .vts always does, .npz never");
+  command.add_option("--source", arguments.places.source,
+                     "Of a map, to check it; of a result, if the mesh was moved");
+  command.add_option("--target", arguments.places.target,
+                     "Of a map, to check it or to turn vertices into points on triangles or back; "
+                     "of a result, if the mesh was moved");
+  command
+      .add_option("--alternative", arguments.alternative,
+                  "Use this alternative of a result instead of the best map")
+      ->type_name("K");
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Request& request) {
+  const auto arguments = std::make_shared<ConvertArguments>();
+  CLI::App& command =
+      *app.add_subcommand("convert", "Write a mesh, a map or a result in another format");
+  command
+      .add_option("IN", arguments->input,
+                  "Mesh (.off .obj .ply .stl .glb .gltf .mat), map (.txt .map .vts .bary.txt .npz) "
+                  "or folder that `isomatch match` wrote")
+      ->required();
+  command
+      .add_option("OUT", arguments->output,
+                  "Mesh or map; of a folder the source with colours and both poses, or the map")
+      ->required();
+  add_map_options(command, *arguments);
+  set_example(command,
+              "isomatch convert cat0.mat cat0.off\n"
+              "  isomatch convert cats cats.glb\n"
+              "  isomatch convert cats cats.npz");
+  command.callback([arguments, &request] {
+    request.action = [arguments](const Context&) { run_convert(*arguments); };
+  });
+}
+
+}  // namespace isomatch::cli
