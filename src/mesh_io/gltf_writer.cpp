@@ -26,7 +26,9 @@ using Rows = std::vector<Eigen::Vector3d>;
 
 /// `values` as they are kept in a file.
 Rows rounded(Rows values) {
-  for (Eigen::Vector3d& value : values) value = value.cast<float>().cast<double>();
+  // One by one: two casts in a row do not round where Eigen turns them into vector instructions.
+  for (Eigen::Vector3d& value : values)
+    for (double& c : value) c = static_cast<float>(c);
   return values;
 }
 

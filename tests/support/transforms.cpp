@@ -24,6 +24,12 @@ Mesh scaled(const Mesh& mesh, double factor) {
   return result;
 }
 
+Mesh rounded_to_float(Mesh mesh) {
+  for (Point& p : mesh.vertices)
+    for (double& c : p) c = static_cast<float>(c);
+  return mesh;
+}
+
 Mesh mirrored(const Mesh& mesh) {
   Mesh result = mesh;
   for (Point& p : result.vertices) p.x() = -p.x();

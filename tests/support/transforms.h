@@ -15,6 +15,9 @@ Mesh moved(const Mesh& mesh, Random& random);
 /// `mesh` with all coordinates times `factor`.
 Mesh scaled(const Mesh& mesh, double factor);
 
+/// `mesh` with its coordinates as 32 bits hold them.
+Mesh rounded_to_float(Mesh mesh);
+
 /// `mesh` reflected in the plane x = 0, the faces turned so that they still face outwards.
 Mesh mirrored(const Mesh& mesh);
 

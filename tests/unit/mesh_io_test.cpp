@@ -17,6 +17,7 @@
 #include "isomatch/error.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
+#include "support/transforms.h"
 
 namespace isomatch {
 namespace {
@@ -80,8 +81,7 @@ TEST(MeshIo, GltfRoundsCoordinatesAndKeepsTheRest) {
   for (Point& p : mesh.vertices)
     for (double& c : p)
       if (std::abs(c) > std::numeric_limits<float>::max()) c = std::copysign(0.1, c);
-  Mesh rounded = mesh;
-  for (Point& p : rounded.vertices) p = p.cast<float>().cast<double>();
+  const Mesh rounded = test::rounded_to_float(mesh);
   for (const char* name : {"a.glb", "a.gltf"}) {
     write_mesh(folder.path(name), mesh);
     const Mesh copy = read_mesh(folder.path(name));
