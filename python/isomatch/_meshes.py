@@ -47,9 +47,10 @@ class Shape:
     Parameters
     ----------
     mesh
-        The path of an OFF, OBJ, PLY or STL file; a tuple of an (N, 3) array of coordinates and an
-        (M, 3) array of vertex indices from 0; or an object with `vertices` or `points` and
-        `faces`, `triangles` or `cells_dict`, such as meshes of trimesh, open3d and meshio.
+        The path of an OFF, OBJ, PLY, STL, glTF or MATLAB file; a tuple of an (N, 3) array of
+        coordinates and an (M, 3) array of vertex indices from 0; or an object with `vertices` or
+        `points` and `faces`, `triangles` or `cells_dict`, such as meshes of trimesh, open3d and
+        meshio.
     geodesics
         "w20" or "w10": straight lines across triangles, mean error .22 % and .06 %; "edges": along
         edges, as in the paper.
@@ -137,12 +138,13 @@ def as_shape(mesh, geodesics="w20", threads=None):
 
 
 def read_mesh(path: PathLike) -> Tuple[np.ndarray, np.ndarray]:
-    """Reads an OFF, OBJ, PLY or STL file: an (N, 3) array of coordinates and an (M, 3) array of
-    vertex indices from 0, both in the file's order. Raises OSError."""
+    """Reads an OFF, OBJ, PLY, STL, glTF or MATLAB file: an (N, 3) array of coordinates and an
+    (M, 3) array of vertex indices from 0, both in the file's order. Raises OSError."""
     return _core.read_mesh(os.fspath(path))
 
 
 def write_mesh(path: PathLike, mesh: MeshLike) -> None:
-    """Writes a mesh in any form as .off, .obj or .ply (binary). Coordinates survive exactly, the
-    file appears whole or not at all. Raises OSError, and ValueError for a mesh that is none."""
+    """Writes a mesh in any form as .off, .obj, .ply (binary), .glb, .gltf or .mat. Coordinates survive
+    exactly, but glTF rounds them to 32 bits; the file appears whole or not at all. Raises OSError,
+    and ValueError for a mesh that is none."""
     _core.write_mesh(os.fspath(path), *as_arrays(mesh))
