@@ -91,10 +91,6 @@ int vertex(const InputFile& file, double number, std::size_t vertices) {
   return static_cast<int>(number) - 1;
 }
 
-// The format's own numbers.
-constexpr std::uint32_t kInt8 = 1, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;
-constexpr std::uint32_t kStructClass = 2, kDoubleClass = 6;
-
 /// The bytes of elements in the machine's own byte order, of which the header tells.
 class MatBytes {
  public:

@@ -18,38 +18,21 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 128, kTagBytes = 8;
 
-// The format's own names for types of data and classes of arrays.
-enum DataType : std::uint32_t {
-  miINT8 = 1,
-  miUINT8,
-  miINT16,
-  miUINT16,
-  miINT32,
-  miUINT32,
-  miSINGLE,
-  miDOUBLE = 9,
-  miINT64 = 12,
-  miUINT64,
-  miMATRIX,
-  miCOMPRESSED
-};
-enum ArrayClass : std::uint32_t { mxSTRUCT = 2, mxDOUBLE = 6, mxUINT64 = 15 };
-
 std::size_t size_of(std::uint32_t type) {
   switch (type) {
-    case miINT8:
-    case miUINT8:
+    case kInt8:
+    case kUint8:
       return 1;
-    case miINT16:
-    case miUINT16:
+    case kInt16:
+    case kUint16:
       return 2;
-    case miINT32:
-    case miUINT32:
-    case miSINGLE:
+    case kInt32:
+    case kUint32:
+    case kSingle:
       return 4;
-    case miDOUBLE:
-    case miINT64:
-    case miUINT64:
+    case kDouble:
+    case kInt64:
+    case kUint64:
       return 8;
     default:
       return 0;
@@ -98,30 +81,30 @@ class MatCursor {
     if (size > bytes_.size() - kTagBytes)
       fail(fmt::format("{} bytes announced, but {} follow", size, bytes_.size() - kTagBytes));
     const Element element{word, bytes_.substr(kTagBytes, size)};
-    const std::size_t padded = word == miCOMPRESSED ? size : (size + 7) / 8 * 8;
+    const std::size_t padded = word == kCompressed ? size : (size + 7) / 8 * 8;
     bytes_.remove_prefix(std::min(kTagBytes + padded, bytes_.size()));
     return element;
   }
 
   double number(std::uint32_t type, const char* bytes) const {
     switch (type) {
-      case miINT8:
+      case kInt8:
         return load<std::int8_t>(bytes);
-      case miUINT8:
+      case kUint8:
         return load<std::uint8_t>(bytes);
-      case miINT16:
+      case kInt16:
         return load<std::int16_t>(bytes);
-      case miUINT16:
+      case kUint16:
         return load<std::uint16_t>(bytes);
-      case miINT32:
+      case kInt32:
         return load<std::int32_t>(bytes);
-      case miUINT32:
+      case kUint32:
         return load<std::uint32_t>(bytes);
-      case miSINGLE:
+      case kSingle:
         return load<float>(bytes);
-      case miINT64:
+      case kInt64:
         return static_cast<double>(load<std::int64_t>(bytes));
-      case miUINT64:
+      case kUint64:
         return static_cast<double>(load<std::uint64_t>(bytes));
       default:
         return load<double>(bytes);
@@ -155,14 +138,14 @@ struct ArrayHead {
 
 ArrayHead take_head(MatCursor& cursor) {
   const Element flags = cursor.take();
-  if (flags.type != miUINT32 || flags.data.size() < 4) cursor.fail("malformed: no array flags");
+  if (flags.type != kUint32 || flags.data.size() < 4) cursor.fail("malformed: no array flags");
   const auto word = cursor.load<std::uint32_t>(flags.data.data());
   std::vector<double> dimensions = cursor.take_numbers();
   return {word & 0xff, std::move(dimensions), std::string(cursor.take().data)};
 }
 
 bool is_numeric(const ArrayHead& head) {
-  return head.array_class >= mxDOUBLE && head.array_class <= mxUINT64;
+  return head.array_class >= kDoubleClass && head.array_class <= kUint64Class;
 }
 
 std::optional<MatArray> take_array(MatCursor& cursor, const ArrayHead& head) {
@@ -197,7 +180,7 @@ void take_fields(MatCursor& cursor, MatVariable& variable) {
     // An empty array of structs has none.
     if (cursor.at_end()) return;
     const Element element = cursor.take();
-    if (element.type != miMATRIX) cursor.fail("malformed: a field is no array");
+    if (element.type != kMatrix) cursor.fail("malformed: a field is no array");
     if (element.data.empty()) continue;
     MatCursor inside = cursor.inside(element.data);
     const ArrayHead head = take_head(inside);
@@ -209,7 +192,7 @@ void take_fields(MatCursor& cursor, MatVariable& variable) {
 MatVariable take_variable(MatCursor cursor) {
   const ArrayHead head = take_head(cursor);
   MatVariable variable{head.name, take_array(cursor, head), {}};
-  if (head.array_class == mxSTRUCT) take_fields(cursor, variable);
+  if (head.array_class == kStructClass) take_fields(cursor, variable);
   return variable;
 }
 
@@ -245,13 +228,13 @@ std::vector<MatVariable> read_mat_variables(const InputFile& file) {
   while (!rest.empty()) {
     MatCursor cursor(file, rest.data(), rest, order);
     const Element element = cursor.take();
-    if (element.type == miCOMPRESSED) {
+    if (element.type == kCompressed) {
       const std::string bytes = decompressed(cursor, element.data);
       MatCursor inside = cursor.inside(bytes);
       const Element array = inside.take();
-      if (array.type == miMATRIX && !array.data.empty())
+      if (array.type == kMatrix && !array.data.empty())
         variables.push_back(take_variable(inside.inside(array.data)));
-    } else if (element.type == miMATRIX) {
+    } else if (element.type == kMatrix) {
       if (!element.data.empty()) variables.push_back(take_variable(cursor.inside(element.data)));
     } else {
       cursor.fail(fmt::format("malformed: {} is no type of a variable", element.type));

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,25 @@
 #include "input_file.h"
 
 namespace isomatch::mesh_io {
+
+/// The format's types of data.
+enum MatType : std::uint32_t {
+  kInt8 = 1,
+  kUint8,
+  kInt16,
+  kUint16,
+  kInt32,
+  kUint32,
+  kSingle,
+  kDouble = 9,
+  kInt64 = 12,
+  kUint64,
+  kMatrix,
+  kCompressed
+};
+
+/// Its classes of arrays; those of numbers are the ones from `kDoubleClass` on.
+enum MatClass : std::uint32_t { kStructClass = 2, kDoubleClass = 6, kUint64Class = 15 };
 
 /// A matrix of numbers, column by column.
 struct MatArray {
