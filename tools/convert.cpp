@@ -85,17 +85,27 @@ void convert_map(const ConvertArguments& arguments) {
   write_map(arguments.output, map, arguments.output_numbering());
 }
 
+/// What is told and would change nothing is a mistake.
+void refuse_idle_options(const ConvertArguments& arguments) {
+  const bool is_result = std::filesystem::is_directory(arguments.input);
+  const bool is_map = !is_result && is_map_file_name(arguments.input);
+  if (arguments.one_based && !is_map) throw InvalidInput("--one-based is for maps");
+  if (arguments.write_one_based && !is_map_file_name(arguments.output))
+    throw InvalidInput("--write-one-based is for maps");
+  if (arguments.alternative != 0 && !is_result) throw InvalidInput("--alternative is for results");
+  const MeshPlaces& places = arguments.places;
+  if (!(places.source.empty() && places.target.empty()) && !is_result && !is_map)
+    throw InvalidInput("--source and --target are for maps and results");
+}
+
 void run_convert(const ConvertArguments& arguments) {
-  if (std::filesystem::is_directory(arguments.input)) {
+  refuse_idle_options(arguments);
+  if (std::filesystem::is_directory(arguments.input))
     convert_result(arguments);
-  } else if (is_map_file_name(arguments.input)) {
+  else if (is_map_file_name(arguments.input))
     convert_map(arguments);
-  } else {
-    if (arguments.one_based || arguments.write_one_based)
-      throw InvalidInput("--one-based and --write-one-based are for maps");
-    check_mesh_output(arguments.output);
+  else
     write_model(arguments.output, read_model(arguments.input));
-  }
 }
 
 void add_map_options(CLI::App& command, ConvertArguments& arguments) {

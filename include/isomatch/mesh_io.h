@@ -28,7 +28,8 @@ struct MeshReadReport {
 /// - .stl: ASCII and binary, whichever the content is.
 /// - .glb, .gltf: glTF 2.0, its buffers inside, in data URIs or in files beside it. Of the scene's
 ///   first mesh all triangles, strips and fans, moved by the transforms of the nodes above it;
-///   parts that share their positions share vertices. Not read: Draco and meshopt compression.
+///   parts that share their positions share vertices. Not read: files compressed by Draco or by
+///   meshopt.
 /// - .mat: a shape in a MATLAB file of level 5, as in TOSCA: matrices X, Y, Z and TRIV, or VERT and
 ///   TRIV, as fields of a struct or by themselves; TRIV counts vertices from one.
 ///

@@ -136,6 +136,12 @@ TEST_F(Convert, BadInputIsRefused) {
   EXPECT_THAT(refusal("out", "a.png"), HasSubstr("a.png"));
   EXPECT_THAT(refusal("out", "a.glb", {"--alternative", "2"}), HasSubstr("no alternative 2"));
   EXPECT_THAT(refusal("source.off", "a.ply", {"--one-based"}), HasSubstr("for maps"));
+  EXPECT_THAT(refusal("out", "a.glb", {"--write-one-based"}), HasSubstr("for maps"));
+  EXPECT_THAT(refusal("source.off", "a.ply", {"--target", path("source.off")}),
+              HasSubstr("for maps and results"));
+  EXPECT_THAT(refusal("source.off", "a.ply", {"--alternative", "1"}), HasSubstr("for results"));
+  folder_.write("a.npy", "no such thing");
+  EXPECT_THAT(refusal("a.npy", "a.txt"), HasSubstr("'.npy' is not that of a mesh"));
   for (const char* name : {"bad.glb", "bad.gltf", "bad.mat", "bad.npz"}) {
     folder_.write(name, "no such thing");
     EXPECT_THAT(refusal(name, name[4] == 'n' ? "a.txt" : "a.off"), HasSubstr(name));
