@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -126,7 +127,8 @@ tinygltf::Model load_gltf(const InputFile& file) {
           ? parser.LoadBinaryFromMemory(&model, &error, &warning,
                                         reinterpret_cast<const unsigned char*>(content.data()),
                                         size, folder)
-          : parser.LoadASCIIFromString(&model, &error, &warning, content.data(), size, folder);
+          : parser.LoadASCIIFromString(&model, &error, &warning, std::to_address(content.begin()),
+                                       size, folder);
   if (!loaded) file.fail("is not valid glTF: " + one_line(error));
   check_supported(file, model);
   return model;

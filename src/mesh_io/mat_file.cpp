@@ -8,8 +8,9 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
+#include <memory>
+#include <string_view>
 
 #include "inflate.h"
 
@@ -60,16 +61,16 @@ class MatCursor {
   }
 
   template <class T>
-  T load(const char* bytes) const {
+  T load(std::string_view bytes) const {
     std::array<char, sizeof(T)> part;
-    std::memcpy(part.data(), bytes, sizeof(T));
+    std::ranges::copy(bytes.substr(0, sizeof(T)), part.begin());
     if (order_ != std::endian::native) std::reverse(part.begin(), part.end());
     return std::bit_cast<T>(part);
   }
 
   Element take() {
     if (bytes_.size() < kTagBytes) fail("the variable ends too early");
-    const auto word = load<std::uint32_t>(bytes_.data());
+    const auto word = load<std::uint32_t>(bytes_);
     // Four bytes at most may stand in the tag itself.
     if (const std::uint32_t size = word >> 16; size > 0) {
       if (size > 4) fail("malformed: a short element of more than 4 bytes");
@@ -77,7 +78,7 @@ class MatCursor {
       bytes_.remove_prefix(kTagBytes);
       return element;
     }
-    const std::size_t size = load<std::uint32_t>(&bytes_[4]);
+    const std::size_t size = load<std::uint32_t>(bytes_.substr(4));
     if (size > bytes_.size() - kTagBytes)
       fail(fmt::format("{} bytes announced, but {} follow", size, bytes_.size() - kTagBytes));
     const Element element{word, bytes_.substr(kTagBytes, size)};
@@ -86,7 +87,7 @@ class MatCursor {
     return element;
   }
 
-  double number(std::uint32_t type, const char* bytes) const {
+  double number(std::uint32_t type, std::string_view bytes) const {
     switch (type) {
       case kInt8:
         return load<std::int8_t>(bytes);
@@ -118,7 +119,7 @@ class MatCursor {
     if (size == 0 || element.data.size() % size != 0) fail("malformed: numbers expected");
     std::vector<double> numbers(element.data.size() / size);
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      numbers[i] = number(element.type, &element.data[i * size]);
+      numbers[i] = number(element.type, element.data.substr(i * size, size));
     return numbers;
   }
 
@@ -139,7 +140,7 @@ struct ArrayHead {
 ArrayHead take_head(MatCursor& cursor) {
   const Element flags = cursor.take();
   if (flags.type != kUint32 || flags.data.size() < 4) cursor.fail("malformed: no array flags");
-  const auto word = cursor.load<std::uint32_t>(flags.data.data());
+  const auto word = cursor.load<std::uint32_t>(flags.data);
   std::vector<double> dimensions = cursor.take_numbers();
   return {word & 0xff, std::move(dimensions), std::string(cursor.take().data)};
 }
@@ -201,7 +202,7 @@ std::string decompressed(const MatCursor& cursor, std::string_view data) {
   Inflater inflater(data);
   const std::string tag = inflater.take(kTagBytes);
   if (tag.size() < kTagBytes) cursor.fail("its compressed data is damaged");
-  const std::size_t size = cursor.load<std::uint32_t>(&tag[4]);
+  const std::size_t size = cursor.load<std::uint32_t>(std::string_view(tag).substr(4));
   std::string bytes = tag + inflater.take(size);
   if (bytes.size() != kTagBytes + size)
     cursor.fail("its compressed data is damaged or ends too early");
@@ -226,7 +227,7 @@ std::vector<MatVariable> read_mat_variables(const InputFile& file) {
   std::vector<MatVariable> variables;
   std::string_view rest = file.content().substr(kHeaderBytes);
   while (!rest.empty()) {
-    MatCursor cursor(file, rest.data(), rest, order);
+    MatCursor cursor(file, std::to_address(rest.begin()), rest, order);
     const Element element = cursor.take();
     if (element.type == kCompressed) {
       const std::string bytes = decompressed(cursor, element.data);
