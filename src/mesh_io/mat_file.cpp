@@ -62,7 +62,7 @@ class MatCursor {
 
   template <class T>
   T load(std::string_view bytes) const {
-    std::array<char, sizeof(T)> part;
+    std::array<char, sizeof(T)> part{};
     std::ranges::copy(bytes.substr(0, sizeof(T)), part.begin());
     if (order_ != std::endian::native) std::reverse(part.begin(), part.end());
     return std::bit_cast<T>(part);
