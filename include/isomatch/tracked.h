@@ -36,9 +36,10 @@ struct TrackedMap {
   SurfaceMap source_to_target, target_to_source;
   /// The source's vertices after registration, in the target's coordinates.
   std::vector<Point> registered;
-  /// As-rigid-as-possible energy of the registration; the less, the better.
+  /// As-rigid-as-possible energy of the registration by which maps are ranked, before the last
+  /// one; the less, the better.
   double energy = 0;
-  /// Mean distance of the registered nodes from the target.
+  /// Mean distance of the nodes of that registration from the target.
   double distance = 0;
   /// Mean deviation of their normals from the target's, 1 - cosine.
   double deviation = 0;

@@ -56,6 +56,11 @@ Deformation::Deformation(std::vector<Point> rest, IndexLists neighbours)
   solver_->analyzePattern(system_);
 }
 
+Deformation::Deformation(const Deformation& other) : Deformation(other.rest_, other.neighbours_) {
+  positions_ = other.positions_;
+  rotations_ = other.rotations_;
+}
+
 void Deformation::fit_rotations(double smoothness) {
   std::vector<Eigen::Matrix3d> before(rotations_.size());
   double edge = 0;

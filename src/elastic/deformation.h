@@ -29,6 +29,11 @@ class Deformation {
  public:
   /// `neighbours` must be symmetric.
   Deformation(std::vector<Point> rest, IndexLists neighbours);
+  Deformation(const Deformation& other);
+  Deformation& operator=(const Deformation& other) { return *this = Deformation(other); }
+  Deformation(Deformation&&) = default;
+  Deformation& operator=(Deformation&&) = default;
+  ~Deformation() = default;
 
   int size() const { return static_cast<int>(rest_.size()); }
   const IndexLists& neighbours() const { return neighbours_; }

@@ -10,9 +10,7 @@
 namespace isomatch::tracked {
 
 /// Extends a hypothesis to the first `count` nodes of the source: to each the target node that
-/// agrees best on how close the landmarks are. Closeness, 1 / (g + c), weighs near landmarks by
-/// 1 / (g + c)^2, and does not let two limbs share one as distances do. Returns target nodes.
-/// O(count * landmarks * nodes).
+/// agrees best with the landmarks. Returns target nodes. O(count * landmarks * nodes).
 std::vector<int> densify(const Proxy& source, const Proxy& target, const Hypothesis& hypothesis,
                          int count);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tracked/densify.h"
+#include "tracked/mending.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -52,20 +53,48 @@ Track Tracking::begin(const Judged& judged) const {
     track.vertices = spectral_step(track, middle, round);
     run_round(track, round);
   }
+  if (options_.middle_rounds() > 0) mend(track);
   return track;
+}
+
+/// Moves nodes that are out of place, if the surfaces fit better for it.
+void Tracking::mend(Track& track) const {
+  const auto nodes = std::span(target_.proxy.nodes).first(track.target->size());
+  const std::vector<int> nearest =
+      GeodesicSearch(target_.proxy.graph).nearest_source(nodes).nearest;
+  std::vector<int> places;
+  for (int vertex : track.vertices) places.push_back(nearest[vertex]);
+  const std::vector<int> better = mended(track.judged.source->proxy, target_.proxy,
+                                         track.cloud.areas, places, track.target->size());
+  if (better == places) return;
+  Track other = track;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (better[i] != places[i]) other.vertices[i] = nodes[better[i]];
+  advance(other, middle_surface_, options_.mending);
+  run_round(other, options_.middle_rounds() - 1);
+  if (other.cost() < track.cost()) track = std::move(other);
 }
 
 Track Tracking::finish(const Track& middle) const {
   const Level& fine = middle.judged.source->fine;
   if (options_.rounds == 0) return registered(middle.judged, fine, target_.fine);
   const int first = options_.middle_rounds();
-  Track track = enter(middle.judged, fine, target_.fine, spectral_step(middle, fine, first));
+  return fine_rounds(middle.judged, spectral_step(middle, fine, first), first);
+}
+
+Track Tracking::fine_rounds(const Judged& judged, std::vector<int> vertices, int first) const {
+  const Level& fine = judged.source->fine;
+  Track track = enter(judged, fine, target_.fine, std::move(vertices));
   run_round(track, first);
   for (int round = first + 1; round < options_.rounds; ++round) {
     track.vertices = spectral_step(track, fine, round);
     run_round(track, round);
   }
   return track;
+}
+
+void Tracking::settle(Track& track, std::span<const Point> anchors) const {
+  advance(track, fine_surface_, options_.settling, anchors);
 }
 
 /// The hypothesis after a first registration.
@@ -96,7 +125,6 @@ std::vector<int> Tracking::spectral_step(const Track& track, const Level& wanted
 
 bool Tracking::is_fine(const Track& track) { return track.source == &track.judged.source->fine; }
 
-/// For each target node the nearest node of the deformed source.
 std::vector<int> Tracking::nearest_nodes(const Track& track) const {
   const elastic::Deformation& deformation = track.deformation;
   std::vector<Point> normals;
@@ -122,9 +150,15 @@ void Tracking::run_round(Track& track, int round) const {
 void Tracking::advance(Track& track, const elastic::Projection& onto,
                        const elastic::RegistrationOptions& step) const {
   set_places(track.cloud, target_.proxy, track.vertices);
+  advance(track, onto, step, selected(target_.proxy.mesh.vertices, track.vertices));
+}
+
+void Tracking::advance(Track& track, const elastic::Projection& onto,
+                       const elastic::RegistrationOptions& step,
+                       std::span<const Point> anchors) const {
   track.registration = register_onto(
-      track.cloud, track.deformation, onto, selected(target_.proxy.mesh.vertices, track.vertices),
-      step, landmark_pins(*track.judged.source, target_, track.source->size(), options_.landmarks));
+      track.cloud, track.deformation, onto, anchors, step,
+      landmark_pins(*track.judged.source, target_, track.source->size(), options_.landmarks));
   track.vertices = foot_vertices(target_.proxy.mesh, track.registration.feet);
   set_places(track.cloud, target_.proxy, track.vertices);
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tracked/judging.h"
@@ -33,21 +34,30 @@ class Tracking {
   /// Keeps references.
   Tracking(const Model& target, const TrackerOptions& options);
 
-  /// The hypothesis after the rounds on the middle level.
+  /// The hypothesis after the rounds on the middle level, mended if it fits better then.
   Track begin(const Judged& judged) const;
   /// The track after the remaining rounds, on the fine level.
   Track finish(const Track& middle) const;
+  /// The last rounds of a track on the fine level, `first` and later ones, that begins at
+  /// `vertices`.
+  Track fine_rounds(const Judged& judged, std::vector<int> vertices, int first) const;
+  /// A last registration of a track on the fine level, close to `anchors`.
+  void settle(Track& track, std::span<const Point> anchors) const;
+  /// For each target node the nearest node of the deformed source.
+  std::vector<int> nearest_nodes(const Track& track) const;
 
  private:
   static Track enter(const Judged& judged, const Level& source, const Level& target,
                      std::vector<int> vertices);
   Track registered(const Judged& judged, const Level& source, const Level& target) const;
+  void mend(Track& track) const;
   std::vector<int> spectral_step(const Track& track, const Level& wanted, int round) const;
   static bool is_fine(const Track& track);
-  std::vector<int> nearest_nodes(const Track& track) const;
   void run_round(Track& track, int round) const;
   void advance(Track& track, const elastic::Projection& onto,
                const elastic::RegistrationOptions& step) const;
+  void advance(Track& track, const elastic::Projection& onto,
+               const elastic::RegistrationOptions& step, std::span<const Point> anchors) const;
   double progress(int round) const;
   int basis_size(int round) const;
 

@@ -95,10 +95,8 @@ TrackedResult match_tracked(const Surface& source, const Surface& target,
       timed("refinement", 0.6, [&] { return run_finals(models[0], judged, tracking, context); });
   result.confidence = finals.confidence;
   timed("dense map", 0.9, [&] {
-    for (const Track& track : finals.tracks) {
-      if (std::cmp_greater(result.maps.size(), options.alternatives)) break;
+    for (const Track& track : finals.tracks)
       result.maps.push_back(dense_map(track, models[0], tracking, context));
-    }
   });
   return result;
 }

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "tracked/reversal.h"
+
 namespace isomatch::tracked {
 namespace {
 
@@ -83,6 +85,11 @@ Finals run_finals(const Model& target, const std::vector<Judged>& judged,
                          options);
   finals.confidence =
       margin(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks : middle);
+  if (std::cmp_greater(finals.tracks.size(), options.different_maps))
+    finals.tracks.erase(finals.tracks.begin() + options.different_maps, finals.tracks.end());
+  context.check_stop();
+  if (options.rounds > 0)
+    for (Track& track : finals.tracks) settle_with_reverse(track, tracking, target, options);
   return finals;
 }
 

@@ -9,7 +9,7 @@
 namespace isomatch::tracked {
 
 struct Finals {
-  /// Best first, all different.
+  /// Those that are wanted, best first, all different.
   std::vector<Track> tracks;
   /// See `TrackedResult::confidence`.
   double confidence = 1;

@@ -44,6 +44,20 @@ struct TrackerOptions {
                                            .anchor_steps = 2,
                                            .surface_steps = 1,
                                            .iterations = 3};
+  /// After nodes of the middle level were moved because they were out of place.
+  elastic::RegistrationOptions mending{.first_length = 0.1,
+                                       .last_length = 0.05,
+                                       .anchor_steps = 4,
+                                       .surface_steps = 1,
+                                       .iterations = 3};
+  /// The last of the rounds, which the target does as well, onto the source; and the registration
+  /// half way between both.
+  int reverse_rounds = 3;
+  elastic::RegistrationOptions settling{.first_length = 0.003,
+                                        .last_length = 0.003,
+                                        .anchor_steps = 1,
+                                        .surface_steps = 0,
+                                        .iterations = 3};
 
   /// Those of the rounds that run on the middle level, a third.
   int middle_rounds() const { return rounds / 3; }

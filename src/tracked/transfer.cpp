@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace isomatch::tracked {
 namespace {
@@ -27,36 +28,37 @@ class Blend {
   /// Moves a point along with the nodes.
   void move(int nearest, Point& position, Point& normal) const {
     Point moved(0, 0, 0), turned(0, 0, 0);
-    for_each_weight(nearest, position, [&](int node, double weight) {
+    for (const auto& [node, weight] : shares(nearest, position)) {
       const Point offset = position - deformation_.rest()[node];
       moved += weight * (rotations_[node] * offset + deformation_.positions()[node]);
       turned += weight * (rotations_[node] * normal);
-    });
+    }
     position = moved;
     normal = turned.normalized();
   }
 
   std::array<double, elastic::kPlaces> place(int nearest, const Point& position) const {
     std::array<double, elastic::kPlaces> mean{};
-    for_each_weight(nearest, position, [&](int node, double weight) {
+    for (const auto& [node, weight] : shares(nearest, position))
       for (int k = 0; k < elastic::kPlaces; ++k) mean[k] += weight * features_[node].place[k];
-    });
     return mean;
   }
 
  private:
-  template <class Visit>
-  void for_each_weight(int nearest, const Point& position, const Visit& visit) const {
+  struct Share {
+    int node;
+    double weight;
+  };
+  /// Of the nodes around a point; the weights have sum 1.
+  std::vector<Share> shares(int nearest, const Point& position) const {
     const auto distance = [&](int node) { return (position - deformation_.rest()[node]).norm(); };
-    const auto neighbours = deformation_.neighbours()[nearest];
-    double reach = distance(nearest);
-    for (int j : neighbours) reach = std::max(reach, distance(j));
-    reach = 1.01 * reach + 1e-12;
-    const auto weight = [&](int node) { return std::pow(1 - distance(node) / reach, 2); };
-    double total = weight(nearest);
-    for (int j : neighbours) total += weight(j);
-    visit(nearest, weight(nearest) / total);
-    for (int j : neighbours) visit(j, weight(j) / total);
+    std::vector<Share> shares{{nearest, distance(nearest)}};
+    for (int j : deformation_.neighbours()[nearest]) shares.push_back({j, distance(j)});
+    const double reach = 1.01 * std::ranges::max(shares, {}, &Share::weight).weight + 1e-12;
+    double total = 0;
+    for (Share& share : shares) total += share.weight = std::pow(1 - share.weight / reach, 2);
+    for (Share& share : shares) share.weight /= total;
+    return shares;
   }
 
   const elastic::Deformation& deformation_;
@@ -77,6 +79,19 @@ DeformedSurface transfer(const Model& model, const elastic::Deformation& deforma
 #pragma omp parallel for schedule(static) num_threads(context.threads)
   for (std::size_t v = 0; v < result.positions.size(); ++v)
     blend.move(nearest[model.anchors[v]], result.positions[v], result.normals[v]);
+  return result;
+}
+
+DeformedSurface transfer(const Proxy& proxy, const elastic::Deformation& deformation,
+                         const std::vector<elastic::Features>& node_features) {
+  const auto nodes = std::span(proxy.nodes).first(deformation.size());
+  const std::vector<int> nearest = GeodesicSearch(proxy.graph).nearest_source(nodes).nearest;
+  const Blend blend(deformation, node_features);
+  DeformedSurface result{proxy.mesh.vertices, proxy.normals, proxy.features};
+  for (std::size_t v = 0; v < nearest.size(); ++v) {
+    result.features[v].place = blend.place(nearest[v], result.positions[v]);
+    blend.move(nearest[v], result.positions[v], result.normals[v]);
+  }
   return result;
 }
 

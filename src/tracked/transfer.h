@@ -10,17 +10,21 @@
 
 namespace isomatch::tracked {
 
-/// A deformed surface: positions and normals of its vertices, and, of those that its detail has,
-/// the relief at rest and the places on the target where they went.
+/// A deformed surface: positions and normals of its vertices, and, of those that have features, the
+/// relief at rest and the places on the target where they went.
 struct DeformedSurface {
   std::vector<Point> positions, normals;
   std::vector<elastic::Features> features;
 };
 
 /// Carries a deformation of the first nodes of a model, and the places where they went, over to all
-/// vertices of its surface. O(N log N).
+/// vertices of its surface; features are those of the detail. O(N log N).
 DeformedSurface transfer(const Model& model, const elastic::Deformation& deformation,
                          const std::vector<elastic::Features>& node_features,
                          const Context& context);
+
+/// The same for all vertices of a proxy.
+DeformedSurface transfer(const Proxy& proxy, const elastic::Deformation& deformation,
+                         const std::vector<elastic::Features>& node_features);
 
 }  // namespace isomatch::tracked

@@ -56,6 +56,26 @@ TEST(Transfer, CarriesARigidMotionExactly) {
   }
 }
 
+TEST(Transfer, OfAProxyIsThatOfItsVertices) {
+  const Model model = small_model(synthesize({.vertices = 2000, .pose = 1}).mesh);
+  elastic::Deformation deformation = deformation_of(model);
+  std::vector<Point> bent = deformation.rest();
+  for (Point& p : bent) p = Point(p.x() + 0.3 * p.y() * p.y(), p.y(), p.z());
+  deformation.set_positions(bent);
+  for (int i = 0; i < 20; ++i) deformation.fit_rotations(0);
+  const auto features = node_graph(model.proxy, deformation.size()).cloud.features;
+  const DeformedSurface result = transfer(model.proxy, deformation, features);
+  ASSERT_EQ(result.positions.size(), model.proxy.num_vertices());
+  ASSERT_EQ(result.features.size(), model.proxy.num_vertices());
+  double sum = 0;
+  for (int v = 0; v < model.proxy.num_vertices(); ++v) {
+    const Point& p = model.proxy.mesh.vertices[v];
+    sum += (result.positions[v] - Point(p.x() + 0.3 * p.y() * p.y(), p.y(), p.z())).norm();
+    EXPECT_NEAR(result.normals[v].norm(), 1, 1e-9);
+  }
+  EXPECT_LT(sum / model.proxy.num_vertices(), 0.01);
+}
+
 TEST(Transfer, OfTheRestPoseChangesNothing) {
   const Model model = small_model(test::torus(60, 30));
   const DeformedSurface result = transferred(model, deformation_of(model));
