@@ -1,12 +1,12 @@
 #!/bin/bash
 # Configures and builds a preset of CMakePresets.json into build/PRESET.
-# Usage: scripts/build.sh PRESET
+# Usage: scripts/build.sh PRESET [TARGET...]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-launcher=()
-if command -v ccache >/dev/null; then
-  launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-fi
-cmake --preset "$1" "${launcher[@]}" >/dev/null
-cmake --build "build/$1" --parallel "$(nproc)"
+preset=$1
+shift
+targets=()
+[ $# = 0 ] || targets=(--target "$@")
+cmake --preset "$preset" >/dev/null
+cmake --build "build/$preset" --parallel "$(nproc)" "${targets[@]}"

@@ -16,6 +16,7 @@
 #include "isomatch/topology.h"
 #include "surface/largest_surface.h"
 #include "surface/sound_mesh.h"
+#include "surface/stray.h"
 
 namespace isomatch {
 namespace {
@@ -26,6 +27,15 @@ int count_unreferenced(const Mesh& mesh) {
     for (int v : face) unreferenced[v] = 0;
   }
   return static_cast<int>(std::ranges::count(unreferenced, 1));
+}
+
+double finite_area(const Mesh& mesh) {
+  double sum = 0;
+  for (int f = 0; f < mesh.num_faces(); ++f) {
+    const double area = face_area(mesh, f);
+    if (std::isfinite(area)) sum += area;
+  }
+  return sum;
 }
 
 /// Coinciding vertices of a `SoundMesh` are adjacent.
@@ -49,6 +59,17 @@ void measure_edges(const Mesh& mesh, MeshDiagnosis& diagnosis) {
   diagnosis.max_edge = longest;
 }
 
+/// Edges that are long for the mesh and for the shape.
+int count_long_edges(const Mesh& mesh, double mean, double area) {
+  constexpr double kMeans = 20, kShare = 0.5;
+  const double bound = std::max(kMeans * mean, kShare * std::sqrt(area));
+  int count = 0;
+  for_each_edge(sorted_edge_sides(mesh), [&](std::span<const EdgeSide> edge) {
+    count += (mesh.vertices[edge[0].low] - mesh.vertices[edge[0].high]).norm() > bound;
+  });
+  return count;
+}
+
 void inspect_surface(const Surface& surface, MeshDiagnosis& diagnosis) {
   const bool is_given =
       surface.joined_edges == 0 && surface.mesh.num_faces() == diagnosis.given.faces;
@@ -59,6 +80,7 @@ void inspect_surface(const Surface& surface, MeshDiagnosis& diagnosis) {
       diagnosis.vertices - static_cast<int>(std::ranges::count(surface.surface_vertex, kNoVertex));
   diagnosis.matchable_area_share = surface.area / surface.total_area;
   measure_edges(surface.mesh, diagnosis);
+  diagnosis.long_edges = count_long_edges(surface.mesh, diagnosis.mean_edge, surface.area);
 }
 
 std::string component_warning(int components, double share) {
@@ -69,6 +91,9 @@ std::string component_warning(int components, double share) {
                      components, percent, others);
 }
 
+/// Less of the area than this says little about the whole.
+constexpr double kSmallShare = 0.5;
+
 /// Something countable that is wrong, said of one and of many.
 struct Defect {
   int number;
@@ -76,9 +101,25 @@ struct Defect {
   const char* many;
 };
 
-std::array<Defect, 7> countable_defects(const MeshDiagnosis& d) {
+/// Those for which a map is not to be trusted without a look.
+std::array<Defect, 3> grave_defects(const MeshDiagnosis& d) {
   return {
-      {{d.degenerate_faces, "1 face without area: ignored", "{} faces without area: ignored"},
+      {{d.stray_vertices, "1 stray vertex far outside of the shape: left out, unmatched",
+        "{} stray vertices far outside of the shape: left out, unmatched"},
+       {d.long_edges, "1 edge far longer than those around it: a spike or a bridge?",
+        "{} edges far longer than those around them: spikes or bridges?"},
+       {d.near_seam_vertices,
+        "1 vertex of an open border nearly coincides with another one: the surface is torn there; "
+        "merge vertices by distance first",
+        "{} vertices of open borders nearly coincide with others: the surface is torn there; merge "
+        "vertices by distance first"}}};
+}
+
+std::array<Defect, 8> countable_defects(const MeshDiagnosis& d) {
+  return {
+      {{d.not_finite_vertices, "1 vertex with a coordinate that is not a number: unmatched",
+        "{} vertices with coordinates that are not numbers: unmatched"},
+       {d.degenerate_faces, "1 face without area: ignored", "{} faces without area: ignored"},
        {d.duplicate_faces, "1 face that repeats another: ignored",
         "{} faces that repeat others: ignored"},
        {d.unreferenced_vertices,
@@ -94,6 +135,13 @@ std::array<Defect, 7> countable_defects(const MeshDiagnosis& d) {
        {d.surface.orientable ? d.surface.inconsistent_edges : 0,
         "1 edge between faces that face opposite ways: inside and outside are mixed up",
         "{} edges between faces that face opposite ways: inside and outside are mixed up"}}};
+}
+
+template <class Defects>
+void append(const Defects& defects, std::vector<std::string>& list) {
+  for (const auto& [number, one, many] : defects) {
+    if (number > 0) list.push_back(fmt::format(fmt::runtime(number == 1 ? one : many), number));
+  }
 }
 
 std::string border_warning(const Connectivity& surface) {
@@ -114,13 +162,16 @@ Inspection inspect(const Mesh& mesh) {
   MeshDiagnosis& diagnosis = inspection.diagnosis;
   diagnosis.vertices = mesh.num_vertices();
   diagnosis.faces = mesh.num_faces();
-  diagnosis.area = surface_area(mesh);
+  diagnosis.area = finite_area(mesh);
+  diagnosis.not_finite_vertices = sound.not_finite_vertices;
+  diagnosis.stray_vertices = sound.stray_vertices;
   diagnosis.degenerate_faces = sound.degenerate_faces;
   diagnosis.duplicate_faces = sound.duplicate_faces;
   diagnosis.unreferenced_vertices = count_unreferenced(mesh);
   diagnosis.duplicate_vertices = count_duplicate_vertices(sound);
   diagnosis.given = connectivity(sound.mesh);
   if (sound.mesh.faces.empty()) return inspection;
+  diagnosis.near_seam_vertices = count_near_seam_vertices(sound.mesh);
   inspection.surface = largest_surface(std::move(sound));
   inspect_surface(*inspection.surface, diagnosis);
   return inspection;
@@ -128,13 +179,20 @@ Inspection inspect(const Mesh& mesh) {
 
 MeshDiagnosis diagnose(const Mesh& mesh) { return inspect(mesh).diagnosis; }
 
+std::vector<std::string> MeshDiagnosis::grave_warnings() const {
+  std::vector<std::string> list;
+  if (surface.faces > 0 && matchable_area_share < kSmallShare)
+    list.push_back(component_warning(components, matchable_area_share));
+  append(grave_defects(*this), list);
+  return list;
+}
+
 std::vector<std::string> MeshDiagnosis::warnings() const {
   if (surface.faces == 0) return {"no face has an area: there is nothing to match"};
-  std::vector<std::string> list;
-  if (components > 1) list.push_back(component_warning(components, matchable_area_share));
-  for (const auto& [number, one, many] : countable_defects(*this)) {
-    if (number > 0) list.push_back(fmt::format(fmt::runtime(number == 1 ? one : many), number));
-  }
+  std::vector<std::string> list = grave_warnings();
+  if (components > 1 && matchable_area_share >= kSmallShare)
+    list.push_back(component_warning(components, matchable_area_share));
+  append(countable_defects(*this), list);
   if (surface.boundary_loops > 0) list.push_back(border_warning(surface));
   if (!surface.orientable)
     list.push_back("the surface has one side only, like a Moebius strip: no inside and outside");

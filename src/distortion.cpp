@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "isomatch/error.h"
+#include "parallel.h"
 
 namespace isomatch {
 
@@ -21,17 +22,14 @@ std::vector<std::span<const float>> FieldStore::fields(std::span<const int> sour
     if (is_new) missing.emplace_back(source, &entry->second.field);
   }
   const float scale = static_cast<float>(1 / shape_->max_geodesic);
-#pragma omp parallel num_threads(context.threads)
-  {
-    GeodesicSearch search(shape_->graph);
-#pragma omp for schedule(dynamic)
-    for (std::size_t i = 0; i < missing.size(); ++i) {
-      std::vector<float>& field = *missing[i].second;
-      field.resize(shape_->num_vertices());
-      search.field(missing[i].first, field);
-      for (float& distance : field) distance *= scale;
-    }
-  }
+  parallel_for(
+      std::ssize(missing), context, [&] { return GeodesicSearch(shape_->graph); },
+      [&](GeodesicSearch& search, std::ptrdiff_t i) {
+        std::vector<float>& field = *missing[i].second;
+        field.resize(shape_->num_vertices());
+        search.field(missing[i].first, field);
+        for (float& distance : field) distance *= scale;
+      });
   forget_least_used();
   std::vector<std::span<const float>> result;
   for (int source : sources) result.push_back(entries_.find(source)->second.field);
@@ -52,10 +50,9 @@ LandmarkDistances::LandmarkDistances(FieldStore& store, std::span<const int> row
                                      std::span<const int> landmarks, const Context& context)
     : columns_(landmarks.size()), values_(rows.size() * landmarks.size()) {
   const std::vector<std::span<const float>> fields = store.fields(landmarks, context);
-#pragma omp parallel for num_threads(context.threads)
-  for (std::size_t r = 0; r < rows.size(); ++r) {
+  parallel_for(std::ssize(rows), context, [&](std::ptrdiff_t r) {
     for (std::size_t e = 0; e < columns_; ++e) values_[r * columns_ + e] = fields[e][rows[r]];
-  }
+  });
 }
 
 MatchDistortion::MatchDistortion(FieldStore& source, std::span<const int> source_rows,

@@ -3,9 +3,11 @@
 #include "isomatch/merging.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "isomatch/error.h"
+#include "parallel.h"
 
 namespace isomatch {
 namespace {
@@ -109,12 +111,12 @@ class Merger {
   /// Step 1 around `centres`, which has the targets to start from for every source base.
   void choose_targets(const std::vector<std::vector<int>>& centres) {
     matching_.target_of_source.assign(num_source_, kUnmatched);
-#pragma omp parallel for schedule(dynamic, 64) num_threads(context_.threads)
-    for (int s = 0; s < num_source_; ++s) {
+    parallel_for(num_source_, context_, [&](std::ptrdiff_t i) {
+      const int s = static_cast<int>(i);
       Choice best;
       for (int t : widened(centres[s], level_.target)) best.offer(distortion_(s, t), t);
       matching_.target_of_source[s] = best.base;
-    }
+    });
   }
 
   std::vector<std::vector<int>> sources_of_targets() const {
@@ -126,15 +128,15 @@ class Merger {
   /// Step 2: a source for every target base outside the image, none for those inside.
   void repair_isolated_targets() {
     const std::vector<std::vector<int>> sources = sources_of_targets();
-#pragma omp parallel for schedule(dynamic, 64) num_threads(context_.threads)
-    for (int t = 0; t < num_target_; ++t) {
+    parallel_for(num_target_, context_, [&](std::ptrdiff_t i) {
+      const int t = static_cast<int>(i);
       int& assigned = matching_.source_of_isolated[t];
       if (!sources[t].empty()) {
         assigned = kUnmatched;
       } else if (assigned == kUnmatched) {
         assigned = best_source(t, sources);
       }
-    }
+    });
   }
 
   int best_source(int target, const std::vector<std::vector<int>>& sources) const {
@@ -151,22 +153,22 @@ class Merger {
   int move_outliers() {
     const double limit =
         options_.outlier_factor * summarize(distortion_.of(matching_.matches())).mean;
-    int moved = 0;
-#pragma omp parallel for schedule(dynamic, 16) num_threads(context_.threads) reduction(+ : moved)
-    for (int s = 0; s < num_source_; ++s) {
+    std::atomic<int> moved = 0;
+    parallel_for(num_source_, context_, [&](std::ptrdiff_t i) {
+      const int s = static_cast<int>(i);
       int& target = matching_.target_of_source[s];
       moved += move_outlier(distortion_(s, target), limit, target, num_target_,
                             level_.target.neighbourhoods,
                             [&](int candidate) { return distortion_(s, candidate); });
-    }
-#pragma omp parallel for schedule(dynamic, 16) num_threads(context_.threads) reduction(+ : moved)
-    for (int t = 0; t < num_target_; ++t) {
+    });
+    parallel_for(num_target_, context_, [&](std::ptrdiff_t i) {
+      const int t = static_cast<int>(i);
       int& source = matching_.source_of_isolated[t];
-      if (source == kUnmatched) continue;
+      if (source == kUnmatched) return;
       moved += move_outlier(distortion_(source, t), limit, source, num_source_,
                             level_.source.neighbourhoods,
                             [&](int candidate) { return distortion_(candidate, t); });
-    }
+    });
     return moved;
   }
 

@@ -14,8 +14,11 @@ void validate(const Mesh& mesh) {
   if (mesh.vertices.empty()) throw InvalidInput("the mesh has no vertices");
   if (mesh.faces.empty()) throw InvalidInput("the mesh has no faces");
   for (int v = 0; v < mesh.num_vertices(); ++v) {
-    if (!mesh.vertices[v].allFinite())
-      throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite", v));
+    if (mesh.vertices[v].allFinite() && mesh.vertices[v].cwiseAbs().maxCoeff() > kLargestCoordinate)
+      throw InvalidInput(
+          fmt::format("vertex {} has a coordinate beyond {:g}, of which areas have "
+                      "no finite value",
+                      v, kLargestCoordinate));
   }
   for (int f = 0; f < mesh.num_faces(); ++f) {
     for (int v : mesh.faces[f]) {
@@ -23,6 +26,14 @@ void validate(const Mesh& mesh) {
         throw InvalidInput(fmt::format("face {} names vertex {}, but there are {} vertices", f, v,
                                        mesh.num_vertices()));
     }
+  }
+}
+
+void validate_finite(const Mesh& mesh) {
+  validate(mesh);
+  for (int v = 0; v < mesh.num_vertices(); ++v) {
+    if (!mesh.vertices[v].allFinite())
+      throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite", v));
   }
 }
 

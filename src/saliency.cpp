@@ -12,6 +12,7 @@
 #include "cotangent_laplacian.h"
 #include "isomatch/error.h"
 #include "isomatch/topology.h"
+#include "parallel.h"
 
 namespace isomatch {
 namespace {
@@ -91,18 +92,17 @@ std::vector<double> integral_geodesic_distance(const Shape& shape, const Salienc
   std::vector<int> vertices(shape.num_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
   const std::vector<int> points =
-      farthest_points(shape.graph, vertices, options.integral_points, extremity(shape));
+      farthest_points(shape.graph, vertices, options.integral_points, extremity(shape), context);
   const std::vector<double> weights = partition_areas(shape, points);
   const std::vector<float> fields = geodesic_fields(shape.graph, points, context);
   const int n = shape.num_vertices();
   const double scale = 1 / (shape.surface.area * shape.max_geodesic);
   std::vector<double> integral(n);
-#pragma omp parallel for num_threads(context.threads)
-  for (int v = 0; v < n; ++v) {
+  parallel_for(n, context, [&](std::ptrdiff_t v) {
     double sum = 0;
     for (std::size_t p = 0; p < points.size(); ++p) sum += weights[p] * fields[p * n + v];
     integral[v] = sum * scale;
-  }
+  });
   return integral;
 }
 

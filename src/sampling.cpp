@@ -4,14 +4,17 @@
 
 #include <algorithm>
 
+#include "parallel.h"
+
 namespace isomatch {
 
 BaseSampling sample_bases(const Shape& shape, std::span<const int> order,
-                          std::span<const int> inherited, float radius) {
+                          std::span<const int> inherited, float radius, const Context& context) {
   BaseSampling sampling{radius, {inherited.begin(), inherited.end()}, 0};
   std::vector<bool> covered(shape.num_vertices(), false);
   GeodesicSearch search(shape.graph);
   const auto cover_patch = [&](int base) {
+    context.check_stop();
     double area = 0;
     for (const auto& [v, distance] : search.ball(base, radius)) {
       if (v == base || radius > 0) covered[v] = true;
@@ -35,18 +38,14 @@ BaseNeighbourhoods::BaseNeighbourhoods(const Shape& shape, std::span<const int> 
   std::vector<int> base_of_vertex(shape.num_vertices(), -1);
   for (int b = 0; b < count; ++b) base_of_vertex[bases[b]] = b;
   std::vector<std::vector<Neighbour>> lists(count);
-#pragma omp parallel num_threads(context.threads)
-  {
-    GeodesicSearch search(shape.graph);
-#pragma omp for schedule(dynamic, 16)
-    for (int b = 0; b < count; ++b) {
-      for (const auto& [v, distance] : search.ball(bases[b], cutoff)) {
-        if (base_of_vertex[v] >= 0) lists[b].push_back({base_of_vertex[v], distance});
-      }
-      std::sort(lists[b].begin(), lists[b].end(),
-                [](const Neighbour& x, const Neighbour& y) { return x.base < y.base; });
-    }
-  }
+  parallel_for(
+      count, context, [&] { return GeodesicSearch(shape.graph); },
+      [&](GeodesicSearch& search, std::ptrdiff_t b) {
+        for (const auto& [v, distance] : search.ball(bases[b], cutoff)) {
+          if (base_of_vertex[v] >= 0) lists[b].push_back({base_of_vertex[v], distance});
+        }
+        std::ranges::sort(lists[b], {}, &Neighbour::base);
+      });
   for (const auto& list : lists) {
     neighbours_.insert(neighbours_.end(), list.begin(), list.end());
     offsets_.push_back(neighbours_.size());

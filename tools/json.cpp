@@ -33,6 +33,9 @@ Json to_json(const MeshDiagnosis& diagnosis) {
           {"duplicate_faces", diagnosis.duplicate_faces},
           {"unreferenced_vertices", diagnosis.unreferenced_vertices},
           {"duplicate_vertices", diagnosis.duplicate_vertices},
+          {"not_finite_vertices", diagnosis.not_finite_vertices},
+          {"stray_vertices", diagnosis.stray_vertices},
+          {"near_seam_vertices", diagnosis.near_seam_vertices},
           {"given", to_json(diagnosis.given)},
           {"surface", to_json(diagnosis.surface)},
           {"components", diagnosis.components},
@@ -42,6 +45,7 @@ Json to_json(const MeshDiagnosis& diagnosis) {
           {"min_edge", diagnosis.min_edge},
           {"mean_edge", diagnosis.mean_edge},
           {"max_edge", diagnosis.max_edge},
+          {"long_edges", diagnosis.long_edges},
           {"warnings", diagnosis.warnings()}};
 }
 

@@ -25,8 +25,8 @@ Json shape_json(const std::string& file, const Shape& shape) {
   return {{"file", file},
           {"vertices", cli::input_vertex_count(shape)},
           {"surface_vertices", shape.num_vertices()},
-          {"area", shape.surface.area},
-          {"max_geodesic", shape.max_geodesic}};
+          {"area", shape.unit * shape.unit * shape.surface.area},
+          {"max_geodesic", shape.unit * shape.max_geodesic}};
 }
 
 /// Shares of the errors that are at most 0, .005, ..., .25.

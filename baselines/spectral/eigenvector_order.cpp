@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "parallel.h"
+
 namespace isomatch::baselines {
 namespace {
 
@@ -43,12 +45,9 @@ SignedOrder best_signed_order(const Eigen::MatrixXd& source, const Eigen::Matrix
   const std::vector<SignedOrder> orders = all_signed_orders(static_cast<int>(source.cols()));
   const Eigen::MatrixXf goal = target.cast<float>();
   std::vector<double> distances(orders.size());
-#pragma omp parallel for schedule(static) num_threads(context.threads)
-  for (std::size_t i = 0; i < orders.size(); ++i) {
-    if (!context.stop.stop_requested())
-      distances[i] = distance(orders[i].applied(source).cast<float>(), goal);
-  }
-  context.check_stop();
+  parallel_for(std::ssize(orders), context, [&](std::ptrdiff_t i) {
+    distances[i] = distance(orders[i].applied(source).cast<float>(), goal);
+  });
   return orders[std::ranges::min_element(distances) - distances.begin()];
 }
 

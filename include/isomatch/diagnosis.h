@@ -17,6 +17,7 @@ struct MeshDiagnosis {
   // The mesh as given.
   int vertices = 0;
   int faces = 0;
+  /// Of all faces whose area is finite.
   double area = 0;
   /// Faces with a repeated vertex or an area that is zero up to the rounding of the coordinates.
   int degenerate_faces = 0;
@@ -26,6 +27,11 @@ struct MeshDiagnosis {
   int unreferenced_vertices = 0;
   /// Vertices whose position equals that of a vertex with a lower index.
   int duplicate_vertices = 0;
+  /// Vertices with a coordinate that is infinite or not a number, and vertices far outside of the
+  /// shape at the end of long edges. They are no part of the surface, nor are their faces.
+  int not_finite_vertices = 0, stray_vertices = 0;
+  /// Vertices of open borders closer than a hundredth of the mean edge to another one, not equal.
+  int near_seam_vertices = 0;
   /// Its connectivity without degenerate and duplicate faces, seams of split vertices left open.
   Connectivity given;
 
@@ -41,10 +47,15 @@ struct MeshDiagnosis {
   double matchable_area_share = 0;
   /// Lengths of its edges, in units of the coordinates.
   double min_edge = 0, mean_edge = 0, max_edge = 0;
+  /// Edges longer than 20 times the mean and than half of sqrt(area).
+  int long_edges = 0;
 
   /// One plain sentence for each defect that matching has to work around; empty for a closed, sound
   /// mesh in one piece.
   std::vector<std::string> warnings() const;
+  /// Those of the warnings for which a map is not to be trusted without a look, so that no choice
+  /// among maps is called clear.
+  std::vector<std::string> grave_warnings() const;
 };
 
 /// A mesh's diagnosis and its surface, none if no face has an area.

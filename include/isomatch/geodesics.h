@@ -185,7 +185,7 @@ std::vector<float> geodesic_fields(const GeodesicGraph& graph, std::span<const i
 /// then always the farthest from those before it; ends early when all have been taken. Ties go to
 /// the earlier place. O(N log N).
 std::vector<int> farthest_points(const GeodesicGraph& graph, std::span<const int> candidates,
-                                 int count, int first = 0);
+                                 int count, int first = 0, const Context& context = {});
 
 /// The largest geodesic distance between two connected vertices, approximated from below: exact to
 /// .5 % or the best of 49 fields, whichever comes first. Fields are taken from the vertices that

@@ -22,9 +22,16 @@ struct Mesh {
   int num_faces() const { return static_cast<int>(faces.size()); }
 };
 
-/// Throws `InvalidInput` if `mesh` has no vertices or faces, an index out of range, or a coordinate
-/// that is not finite. O(N).
+/// The largest coordinate that is computed with, so that areas and their sums are finite.
+inline constexpr double kLargestCoordinate = 1e100;
+
+/// Throws `InvalidInput` if `mesh` has no vertices or faces, an index out of range, or a finite
+/// coordinate beyond `kLargestCoordinate`. Coordinates may be infinite or not a number, as in 7 of
+/// 62 published scans of skulls: their vertices are no part of the surface. O(N).
 void validate(const Mesh& mesh);
+
+/// The same, and that all coordinates are finite.
+void validate_finite(const Mesh& mesh);
 
 /// Area of face `face`, in squared units of the coordinates.
 double face_area(const Mesh& mesh, int face);

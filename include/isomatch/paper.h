@@ -57,7 +57,7 @@ struct PaperOptions {
 /// `PaperResult`, and are meant by their place there.
 struct PaperLevel {
   /// r_S(k) and r_T(k), in units of the coordinates.
-  float source_radius = 0, target_radius = 0;
+  double source_radius = 0, target_radius = 0;
   int source_bases = 0, target_bases = 0;
   /// xi(k,1): target base of every source base, and d_iso of each.
   std::vector<int> many_to_one;

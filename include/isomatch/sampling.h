@@ -12,7 +12,7 @@ namespace isomatch {
 
 /// The base vertices of one shape at one level and what their patches cover (Section 3).
 struct BaseSampling {
-  /// Sampling radius r(k), in units of the coordinates.
+  /// Sampling radius r(k), in units of the shape.
   float radius = 0;
   /// S(k) in the order of selection: S(k-1) comes first, so that an index into this list means the
   /// same base vertex at all later levels.
@@ -26,7 +26,8 @@ struct BaseSampling {
 /// apart from all others; every vertex is within `radius` of a base vertex. With radius 0 all
 /// vertices become bases, those that coincide as well. Cost: one ball a base.
 BaseSampling sample_bases(const Shape& shape, std::span<const int> order,
-                          std::span<const int> inherited, float radius);
+                          std::span<const int> inherited, float radius,
+                          const Context& context = {});
 
 /// The geodesic distances between base vertices that are close to each other.
 class BaseNeighbourhoods {

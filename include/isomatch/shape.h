@@ -11,8 +11,13 @@
 namespace isomatch {
 
 /// A surface with what every stage of matching needs to know about it. Vertices are the surface's.
+/// Lengths and areas are those of the input over `unit` and its square, so that 32-bit distances
+/// hold whatever the input was measured in.
 struct Shape {
   Surface surface;
+  /// Length in the input of what is 1 long here: the power of two next to sqrt(area), so that no
+  /// digit is lost.
+  double unit = 1;
   GeodesicGraph graph;
   /// A third of the area of the faces around each vertex; their sum is `surface.area`.
   std::vector<double> vertex_areas;

@@ -33,8 +33,10 @@ std::shared_ptr<PreparedMesh> make_shape(const py::array& vertices, const py::ar
 }
 
 double max_geodesic(const PreparedMesh& mesh) {
-  return run({py::none(), py::none()},
-             [&](const Context& context) { return mesh.shape(context).max_geodesic; });
+  return run({py::none(), py::none()}, [&](const Context& context) {
+    const Shape& shape = mesh.shape(context);
+    return shape.unit * shape.max_geodesic;
+  });
 }
 
 py::tuple read(const std::string& path) {

@@ -30,10 +30,13 @@ PaperRun match(const PreparedMesh& source, const PreparedMesh& target, const std
   cli::Json json = report_options(kMethod, options);
   json["geodesics"] = geodesics;
   // Shapes are prepared by now.
+  const Shape& source_shape = source.shape({});
+  const Shape& target_shape = target.shape({});
   return {to_inputs(source, target),
           std::move(json),
           std::move(result),
-          {source.shape({}).max_geodesic, target.shape({}).max_geodesic}};
+          {source_shape.unit * source_shape.max_geodesic,
+           target_shape.unit * target_shape.max_geodesic}};
 }
 
 /// Matches and the distortion of each.

@@ -19,7 +19,9 @@ py::array_t<int> sample(const PreparedMesh& input, float radius, const py::array
   const Surface& surface = input.surface();
   const std::vector<int> first = surface_numbers(surface, to_integers(order, "order"), "order");
   return adopt(run(how, [&](const Context& context) {
-    return input_numbers(surface, sample_bases(input.shape(context), first, {}, radius).bases);
+    const Shape& shape = input.shape(context);
+    const auto scaled = static_cast<float>(radius / shape.unit);
+    return input_numbers(surface, sample_bases(shape, first, {}, scaled, context).bases);
   }));
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "isomatch/error.h"
+
 namespace isomatch::elastic {
 namespace {
 
@@ -102,6 +104,7 @@ void Deformation::fit_positions(std::span<const Goal> goals, double stiffness) {
   for (int i = 0; i < size(); ++i)
     isotropic.coeffRef(i, i) += goals[i].weight / 3 + goals[i].anchor_weight;
   solver_->factorize(isotropic);
+  if (solver_->info() != Eigen::Success) throw SolverFailure("an elastic system is singular");
   const auto apply = [&](const Eigen::MatrixX3d& x) {
     Eigen::MatrixX3d result = elastic * x;
     for (int i = 0; i < size(); ++i)
@@ -127,6 +130,7 @@ void Deformation::fit_positions(std::span<const Goal> goals, double stiffness) {
     direction = preconditioned + (next / rho) * direction;
     rho = next;
   }
+  if (!x.allFinite()) throw SolverFailure("an elastic deformation grows beyond all bounds");
   for (int i = 0; i < size(); ++i) positions_[i] = x.row(i).transpose();
 }
 

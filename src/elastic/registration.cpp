@@ -26,7 +26,7 @@ class Registrar {
   }
 
   void run() {
-    constexpr int kInitialRotations = 7;
+    constexpr int kInitialRotations = 10;
     for (int i = 0; i < kInitialRotations; ++i)
       deformation_.fit_rotations(options_.rotation_smoothness);
     const int steps = options_.anchor_steps + options_.surface_steps;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/geodesics.h"
+#include "parallel.h"
 
 namespace isomatch {
 namespace {
@@ -14,25 +15,23 @@ std::vector<float> geodesic_fields(const GeodesicGraph& graph, std::span<const i
                                    const Context& context) {
   const std::size_t n = graph.num_vertices();
   std::vector<float> fields(sources.size() * n);
-  const bool parallel = sources.size() > 1 && sources.size() * graph.num_arcs() > kParallelWork;
-#pragma omp parallel num_threads(context.threads) if (parallel)
-  {
-    GeodesicSearch search(graph);
-#pragma omp for schedule(dynamic)
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-      if (!context.stop.stop_requested()) search.field(sources[i], {fields.data() + i * n, n});
-    }
-  }
-  context.check_stop();
+  const bool little = sources.size() * graph.num_arcs() <= kParallelWork;
+  const Context used{.threads = little ? 1 : context.threads, .progress = {}, .stop = context.stop};
+  parallel_for(
+      std::ssize(sources), used, [&] { return GeodesicSearch(graph); },
+      [&](GeodesicSearch& search, std::ptrdiff_t i) {
+        search.field(sources[i], {fields.data() + i * n, n});
+      });
   return fields;
 }
 
 std::vector<int> farthest_points(const GeodesicGraph& graph, std::span<const int> candidates,
-                                 int count, int first) {
+                                 int count, int first, const Context& context) {
   std::vector<int> places;
   std::vector<float> distances(graph.num_vertices(), std::numeric_limits<float>::infinity());
   GeodesicSearch search(graph);
   for (int next = first; static_cast<int>(places.size()) < count;) {
+    context.check_stop();
     places.push_back(next);
     search.update_field(candidates[next], distances);
     const auto farthest = std::ranges::max_element(

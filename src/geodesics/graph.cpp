@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <ranges>
@@ -9,6 +11,7 @@
 #include "isomatch/error.h"
 #include "isomatch/geodesics.h"
 #include "isomatch/topology.h"
+#include "parallel.h"
 
 namespace isomatch {
 namespace {
@@ -24,6 +27,18 @@ void sort_and_deduplicate(std::vector<Arc>& arcs, std::ptrdiff_t first) {
   arcs.erase(std::unique(begin, arcs.end(), same_head), arcs.end());
 }
 
+/// `arcs` is scratch.
+void unfold_block(StripUnfolder& unfolder, int first_vertex, int last_vertex,
+                  std::vector<Arc>& arcs, ArcLists::Block& block) {
+  arcs.clear();
+  for (int v = first_vertex, i = 0; v < last_vertex; ++v) {
+    unfolder.append_arcs(v, arcs);
+    sort_and_deduplicate(arcs, block.starts[i]);
+    block.starts[++i] = static_cast<int>(arcs.size());
+  }
+  block.arcs = arcs;
+}
+
 /// What each vertex sees, sorted by head.
 ArcLists unfold_all(const Mesh& mesh, const GeodesicOptions& options, const Context& context) {
   const IndexLists faces = vertex_faces(mesh);
@@ -32,23 +47,18 @@ ArcLists unfold_all(const Mesh& mesh, const GeodesicOptions& options, const Cont
       edges_only ? std::vector(mesh.faces.size(), std::array{kNoFace, kNoFace, kNoFace})
                  : face_neighbours(mesh);
   ArcLists lists(mesh.num_vertices());
-#pragma omp parallel num_threads(context.threads) if (lists.num_blocks() > 1)
-  {
-    StripUnfolder unfolder(mesh, faces, neighbours, options.window_angle);
+  struct Work {
+    StripUnfolder unfolder;
     std::vector<Arc> arcs;
-#pragma omp for schedule(dynamic)
-    for (int b = 0; b < lists.num_blocks(); ++b) {
-      if (context.stop.stop_requested()) continue;
-      arcs.clear();
-      for (int v = lists.first_vertex(b), i = 0; v < lists.last_vertex(b); ++v) {
-        unfolder.append_arcs(v, arcs);
-        sort_and_deduplicate(arcs, lists.block(b).starts[i]);
-        lists.block(b).starts[++i] = static_cast<int>(arcs.size());
-      }
-      lists.block(b).arcs = arcs;
-    }
-  }
-  context.check_stop();
+  };
+  const auto make = [&] {
+    return Work{StripUnfolder(mesh, faces, neighbours, options.window_angle), {}};
+  };
+  parallel_for(lists.num_blocks(), context, make, [&](Work& work, std::ptrdiff_t i) {
+    const int b = static_cast<int>(i);
+    unfold_block(work.unfolder, lists.first_vertex(b), lists.last_vertex(b), work.arcs,
+                 lists.block(b));
+  });
   return lists;
 }
 
@@ -117,13 +127,25 @@ void add_missing_arcs(std::vector<MissingArc> missing, int first_vertex, int las
   block.arcs = std::move(merged);
 }
 
+/// Throws `InvalidInput` if distances would not fit into 32 bits.
 float mean_edge_length(const Mesh& mesh) {
-  double sum = 0;
+  constexpr double kShortest = 1e-30, kLongest = 1e30;
+  double sum = 0, longest = 0;
   for (const Face& face : mesh.faces) {
-    for (int corner = 0; corner < 3; ++corner)
-      sum += (mesh.vertices[face[corner]] - mesh.vertices[face[(corner + 1) % 3]]).norm();
+    for (int corner = 0; corner < 3; ++corner) {
+      const double length =
+          (mesh.vertices[face[corner]] - mesh.vertices[face[(corner + 1) % 3]]).norm();
+      sum += length;
+      longest = std::max(longest, length);
+    }
   }
-  return static_cast<float>(sum / (3.0 * mesh.num_faces()));
+  const double mean = sum / (3.0 * mesh.num_faces());
+  if (!(mean >= kShortest && longest <= kLongest))
+    throw InvalidInput(fmt::format(
+        "edges are {:.3g} long on average and {:.3g} at most; geodesic distances need lengths "
+        "between {:g} and {:g}",
+        mean, longest, kShortest, kLongest));
+  return static_cast<float>(mean);
 }
 
 }  // namespace
@@ -136,14 +158,15 @@ void GeodesicOptions::validate() const {
 GeodesicGraph::GeodesicGraph(const Mesh& mesh, const GeodesicOptions& options,
                              const Context& context) {
   options.validate();
-  validate(mesh);
+  validate_finite(mesh);
   mean_edge_length_ = isomatch::mean_edge_length(mesh);
   lists_ = unfold_all(mesh, options, context);
   MissingArcs missing = make_symmetric(lists_);
-#pragma omp parallel for schedule(dynamic) num_threads(context.threads) if (lists_.num_blocks() > 1)
-  for (int b = 0; b < lists_.num_blocks(); ++b)
+  parallel_for(lists_.num_blocks(), context, [&](std::ptrdiff_t i) {
+    const int b = static_cast<int>(i);
     add_missing_arcs(std::exchange(missing[b], {}), lists_.first_vertex(b), lists_.last_vertex(b),
                      lists_.block(b));
+  });
 
   for (int b = 0; b < lists_.num_blocks(); ++b) num_arcs_ += lists_.block(b).arcs.size();
   for (int v = 0; v < num_vertices(); ++v)

@@ -8,6 +8,7 @@
 #include "isomatch/error.h"
 #include "isomatch/metrics.h"
 #include "metrics/checks.h"
+#include "parallel.h"
 
 namespace isomatch {
 namespace {
@@ -54,12 +55,13 @@ void DistortionSum::add(std::span<const Match> list, const Context& context) {
   const std::vector<float> source_fields = geodesic_fields(source_.graph, sources, context);
   const std::vector<float> target_fields = geodesic_fields(target_.graph, targets, context);
   const std::size_t ns = source_.num_vertices(), nt = target_.num_vertices();
-#pragma omp parallel for schedule(static) num_threads(context.threads)
-  for (std::size_t first = 0; first < matches_.size(); first += kMatchesAtATime) {
+  const std::size_t blocks = (matches_.size() + kMatchesAtATime - 1) / kMatchesAtATime;
+  parallel_for(static_cast<std::ptrdiff_t>(blocks), context, [&](std::ptrdiff_t block) {
+    const std::size_t first = block * kMatchesAtATime;
     const std::size_t last = std::min(first + kMatchesAtATime, matches_.size());
     for (std::size_t l = 0; l < list.size(); ++l)
       add_entry({&source_fields[l * ns], ns}, {&target_fields[l * nt], nt}, first, last);
-  }
+  });
 }
 
 void DistortionSum::add_entry(std::span<const float> source_field,

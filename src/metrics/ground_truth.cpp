@@ -11,6 +11,7 @@
 #include "isomatch/metrics.h"
 #include "isomatch/topology.h"
 #include "metrics/checks.h"
+#include "parallel.h"
 
 namespace isomatch {
 namespace {
@@ -96,15 +97,11 @@ template <class Pair>
 std::vector<double> distances(const Shape& shape, const std::vector<Pair>& pairs,
                               const Context& context) {
   std::vector<double> result(pairs.size(), 0.0);
-#pragma omp parallel num_threads(context.threads)
-  {
-    GeodesicSearch search(shape.graph);
-#pragma omp for schedule(dynamic, 16)
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!context.stop.stop_requested()) result[i] = distance(shape, search, pairs[i]);
-    }
-  }
-  context.check_stop();
+  parallel_for(
+      std::ssize(pairs), context, [&] { return GeodesicSearch(shape.graph); },
+      [&](GeodesicSearch& search, std::ptrdiff_t i) {
+        result[i] = distance(shape, search, pairs[i]);
+      });
   return result;
 }
 

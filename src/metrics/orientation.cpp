@@ -9,6 +9,7 @@
 #include "isomatch/metrics.h"
 #include "isomatch/topology.h"
 #include "metrics/checks.h"
+#include "parallel.h"
 
 namespace isomatch {
 namespace {
@@ -79,18 +80,17 @@ DirectionTable::DirectionTable(const Shape& shape, const std::vector<signed char
       faces_(vertex_faces(shape.surface.mesh)),
       directions_(landmarks.size() * landmarks.size(), Point(0, 0, 0)) {
   for (int v : landmarks) normals_.push_back(normal(v, signs));
-#pragma omp parallel num_threads(context.threads)
-  {
-    GeodesicSearch search(shape.graph);
-    std::vector<float> field(shape.num_vertices());
-#pragma omp for schedule(dynamic)
-    for (std::size_t j = 0; j < landmarks.size(); ++j) {
-      if (context.stop.stop_requested()) continue;
-      search.field(landmarks[j], field);
-      look_towards(static_cast<int>(j), field);
-    }
-  }
-  context.check_stop();
+  struct Work {
+    GeodesicSearch search;
+    std::vector<float> field;
+  };
+  const auto make = [&] {
+    return Work{GeodesicSearch(shape.graph), std::vector<float>(shape.num_vertices())};
+  };
+  parallel_for(std::ssize(landmarks), context, make, [&](Work& work, std::ptrdiff_t j) {
+    work.search.field(landmarks[j], work.field);
+    look_towards(static_cast<int>(j), work.field);
+  });
 }
 
 Point DirectionTable::normal(int vertex, const std::vector<signed char>& signs) const {

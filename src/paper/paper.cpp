@@ -44,13 +44,16 @@ float next_radius(const Shape& shape, const BaseSampling& previous, const Radius
 /// S(0) and T(0): the smallest radii of the rule's ratio that give few enough bases on both.
 void sample_coarsest(const Shape& source, const Shape& target, const SamplingOrders& source_orders,
                      const SamplingOrders& target_orders, const RadiusOptions& options,
-                     SampledLevel& level) {
+                     const Context& context, SampledLevel& level) {
   constexpr float kGrowth = 1.02f;
   float source_radius = radius_of_area(source.surface.area, options);
   float target_radius = radius_of_area(target.surface.area, options);
   for (;; source_radius *= kGrowth, target_radius *= kGrowth) {
-    level.source.sampling = sample_bases(source, source_orders.coarsest, {}, source_radius);
-    level.target.sampling = sample_bases(target, target_orders.coarsest, {}, target_radius);
+    context.check_stop();
+    level.source.sampling =
+        sample_bases(source, source_orders.coarsest, {}, source_radius, context);
+    level.target.sampling =
+        sample_bases(target, target_orders.coarsest, {}, target_radius, context);
     if (std::max(level.source.num_bases(), level.target.num_bases()) <= options.max_coarse_bases)
       return;
   }
@@ -61,7 +64,7 @@ ShapeLevel finer_shape_level(const Shape& shape, const SamplingOrders& orders,
                              const Context& context) {
   ShapeLevel level;
   level.sampling = sample_bases(shape, orders.finer, previous.sampling.bases,
-                                next_radius(shape, previous.sampling, options));
+                                next_radius(shape, previous.sampling, options), context);
   level.neighbourhoods =
       BaseNeighbourhoods(shape, level.sampling.bases, 2 * previous.sampling.radius, context);
   return level;
@@ -152,7 +155,8 @@ class Descent {
  private:
   SampledLevel coarsest_level() const {
     SampledLevel level;
-    sample_coarsest(source_, target_, source_orders_, target_orders_, options_.radii, level);
+    sample_coarsest(source_, target_, source_orders_, target_orders_, options_.radii, context_,
+                    level);
     level.source.neighbourhoods = all_distances(source_, level.source, context_);
     level.target.neighbourhoods = all_distances(target_, level.target, context_);
     level.landmarks = choose_landmarks(level.source.sampling.bases);
@@ -171,7 +175,7 @@ class Descent {
 
   /// Once there are enough they stay, so that their distance fields serve all further levels.
   std::vector<int> choose_landmarks(const std::vector<int>& bases) const {
-    return farthest_points(source_.graph, bases, options_.list_size);
+    return farthest_points(source_.graph, bases, options_.list_size, 0, context_);
   }
 
   std::vector<Correspondence> coarsest_matchings(const SampledLevel& level) {
@@ -213,10 +217,11 @@ void keep_least_distorted(std::vector<Hypothesis>& hypotheses) {
   hypotheses.resize(1);
 }
 
-PaperLevel result_of(const SampledLevel& sampled, MatchedLevel matched) {
+PaperLevel result_of(const SampledLevel& sampled, MatchedLevel matched, double source_unit,
+                     double target_unit) {
   PaperLevel level;
-  level.source_radius = sampled.source.sampling.radius;
-  level.target_radius = sampled.target.sampling.radius;
+  level.source_radius = source_unit * sampled.source.sampling.radius;
+  level.target_radius = target_unit * sampled.target.sampling.radius;
   level.source_bases = sampled.source.num_bases();
   level.target_bases = sampled.target.num_bases();
   level.matches = matched.merge.merged.matches();
@@ -227,8 +232,8 @@ PaperLevel result_of(const SampledLevel& sampled, MatchedLevel matched) {
   return level;
 }
 
-PaperResult result_of(const Shape& source, const std::vector<SampledLevel>& sampled,
-                      Hypothesis hypothesis) {
+PaperResult result_of(const Shape& source, const Shape& target,
+                      const std::vector<SampledLevel>& sampled, Hypothesis hypothesis) {
   PaperResult result;
   result.source_bases = sampled.back().source.sampling.bases;
   result.target_bases = sampled.back().target.sampling.bases;
@@ -237,7 +242,8 @@ PaperResult result_of(const Shape& source, const std::vector<SampledLevel>& samp
   for (std::size_t s = 0; s < image.size(); ++s)
     result.source_to_target[result.source_bases[s]] = result.target_bases[image[s]];
   for (std::size_t k = 0; k < sampled.size(); ++k)
-    result.levels.push_back(result_of(sampled[k], std::move(hypothesis.levels[k])));
+    result.levels.push_back(
+        result_of(sampled[k], std::move(hypothesis.levels[k]), source.unit, target.unit));
   return result;
 }
 
@@ -289,7 +295,7 @@ PaperResult match_paper(const Shape& source, const Shape& target, const PaperOpt
     if (k == options.candidate_levels) keep_least_distorted(hypotheses);
   }
   keep_least_distorted(hypotheses);
-  PaperResult result = result_of(source, descent.sampled(), std::move(hypotheses.front()));
+  PaperResult result = result_of(source, target, descent.sampled(), std::move(hypotheses.front()));
   result.complete = descent.complete();
   result.times = std::move(times);
   return result;

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <span>
 
+#include "parallel.h"
+
 namespace isomatch::paper {
 namespace {
 
@@ -139,8 +141,8 @@ std::vector<PatchMatching> match_patch_pairs(
   const PatchPairMatcher matcher(coarser, previous, source, target, distortion, options);
   const Correspondence centres = previous.merge.merged.matches();
   std::vector<PatchMatching> patches(centres.size());
-#pragma omp parallel for schedule(dynamic, 16) num_threads(context.threads)
-  for (std::size_t m = 0; m < patches.size(); ++m) patches[m] = matcher.run(centres[m]);
+  parallel_for(std::ssize(patches), context,
+               [&](std::ptrdiff_t m) { patches[m] = matcher.run(centres[m]); });
   return patches;
 }
 

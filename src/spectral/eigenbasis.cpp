@@ -18,22 +18,28 @@ class Inverse {
  public:
   using Scalar = double;
 
-  explicit Inverse(const Eigen::SparseMatrix<double>& matrix) : solver_(matrix) {}
+  Inverse(const Eigen::SparseMatrix<double>& matrix, const Context& context)
+      : solver_(matrix), context_(context) {
+    if (solver_.info() != Eigen::Success)
+      throw SolverFailure("the Laplacian of a surface cannot be factorised");
+  }
 
   Eigen::Index rows() const { return solver_.rows(); }
   Eigen::Index cols() const { return solver_.cols(); }
   void perform_op(const double* in, double* out) const {
+    context_.check_stop();
     Eigen::Map<Eigen::VectorXd>(out, rows()) =
         solver_.solve(Eigen::Map<const Eigen::VectorXd>(in, rows()));
   }
 
  private:
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  const Context& context_;
 };
 
 }  // namespace
 
-Eigenbasis eigenbasis(const Mesh& mesh, int count) {
+Eigenbasis eigenbasis(const Mesh& mesh, int count, const Context& context) {
   // Far from the spectrum of a surface of unit area, near enough to invert well.
   const double area = surface_area(mesh), shift = 1 / area;
   const std::vector<double> areas = vertex_areas(mesh);
@@ -44,7 +50,7 @@ Eigenbasis eigenbasis(const Mesh& mesh, int count) {
                                        Eigen::SparseMatrix<double>(cotangent_laplacian(mesh)) *
                                        scale.asDiagonal();
   for (int v = 0; v < mesh.num_vertices(); ++v) matrix.coeffRef(v, v) += shift;
-  Inverse inverse(matrix);
+  Inverse inverse(matrix, context);
   const int n = mesh.num_vertices();
   count = std::min(count, n - 1);
   Spectra::SymEigsSolver<Inverse> solver(inverse, count, std::min(n, 2 * count + 20));
@@ -53,7 +59,7 @@ Eigenbasis eigenbasis(const Mesh& mesh, int count) {
   constexpr double kTolerance = 1e-6;
   solver.compute(Spectra::SortRule::LargestMagn, kMaxRestarts, kTolerance);
   if (solver.info() != Spectra::CompInfo::Successful)
-    throw InternalError("the eigenfunctions of a surface do not converge");
+    throw SolverFailure("the eigenfunctions of a surface do not converge");
   return {(scale.asDiagonal() * solver.eigenvectors()).cast<float>(),
           solver.eigenvalues().cwiseInverse().array() - shift};
 }

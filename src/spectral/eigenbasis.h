@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "isomatch/context.h"
 #include "isomatch/mesh.h"
 
 namespace isomatch::spectral {
@@ -18,7 +19,7 @@ struct Eigenbasis {
 };
 
 /// At most `count` eigenfunctions, fewer on meshes that are too small. Shift and invert with
-/// Lanczos iterations; O(N log N + count^2 N).
-Eigenbasis eigenbasis(const Mesh& mesh, int count);
+/// Lanczos iterations; O(N log N + count^2 N). Throws `SolverFailure` if they do not converge.
+Eigenbasis eigenbasis(const Mesh& mesh, int count, const Context& context = {});
 
 }  // namespace isomatch::spectral

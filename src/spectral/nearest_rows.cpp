@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "parallel.h"
+
 namespace isomatch::spectral {
 
 std::vector<int> nearest_rows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& points,
@@ -12,9 +14,8 @@ std::vector<int> nearest_rows(const Eigen::MatrixXf& queries, const Eigen::Matri
   const Eigen::VectorXf norms = points.rowwise().squaredNorm();
   const int n = static_cast<int>(queries.rows());
   std::vector<int> nearest(n);
-#pragma omp parallel for schedule(static) num_threads(context.threads)
-  for (int first = 0; first < n; first += kBlock) {
-    const int count = std::min(kBlock, n - first);
+  parallel_for((n + kBlock - 1) / kBlock, context, [&](std::ptrdiff_t block) {
+    const int first = static_cast<int>(block) * kBlock, count = std::min(kBlock, n - first);
     Eigen::MatrixXf distances = -2 * points * queries.middleRows(first, count).transpose();
     distances.colwise() += norms;
     for (int i = 0; i < count; ++i) {
@@ -22,7 +23,7 @@ std::vector<int> nearest_rows(const Eigen::MatrixXf& queries, const Eigen::Matri
       distances.col(i).minCoeff(&row);
       nearest[first + i] = static_cast<int>(row);
     }
-  }
+  });
   return nearest;
 }
 

@@ -13,6 +13,7 @@
 #include "bucket_sort.h"
 #include "isomatch/topology.h"
 #include "surface/hilbert.h"
+#include "surface/stray.h"
 
 namespace isomatch {
 namespace {
@@ -48,15 +49,30 @@ double sound_area(const Mesh& mesh, const Face& face) {
   return doubled > kRounding * coordinate * longest ? doubled / 2 : 0;
 }
 
+/// The vertices of `input`, those that are not finite at a place where no other is.
+std::vector<Point> finite_vertices(const Mesh& input, std::span<const VertexKind> kinds) {
+  std::vector<Point> points = input.vertices;
+  Eigen::AlignedBox3d box;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (kinds[v] != VertexKind::kNotFinite) box.extend(points[v]);
+  const Point outside = box.isEmpty() ? Point(0, 0, 0) : Point(box.max() + box.sizes());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (kinds[v] == VertexKind::kNotFinite) points[v] = outside;
+  return points;
+}
+
 /// The vertices of `input` along a Hilbert curve, and its faces, in input order, in their numbers.
-SoundMesh renumbered(const Mesh& input) {
+SoundMesh renumbered(const Mesh& input, std::span<const VertexKind> kinds) {
   SoundMesh sound;
-  sound.input_vertex = hilbert_order(input.vertices);
+  const std::vector<Point> points = finite_vertices(input, kinds);
+  sound.input_vertex = hilbert_order(points);
+  sound.not_finite_vertices = static_cast<int>(std::ranges::count(kinds, VertexKind::kNotFinite));
+  sound.stray_vertices = static_cast<int>(std::ranges::count(kinds, VertexKind::kStray));
   std::vector<int> number(input.vertices.size());
   sound.mesh.vertices.reserve(input.vertices.size());
   for (int v : sound.input_vertex) {
     number[v] = sound.mesh.num_vertices();
-    sound.mesh.vertices.push_back(input.vertices[v]);
+    sound.mesh.vertices.push_back(points[v]);
   }
   sound.mesh.faces.reserve(input.faces.size());
   for (const auto& [a, b, c] : input.faces)
@@ -67,13 +83,17 @@ SoundMesh renumbered(const Mesh& input) {
 }  // namespace
 
 SoundMesh sound_mesh(const Mesh& input) {
-  SoundMesh sound = renumbered(input);
+  const std::vector<VertexKind> kinds = vertex_kinds(input);
+  SoundMesh sound = renumbered(input, kinds);
   const std::vector<Face> faces = std::exchange(sound.mesh.faces, {});
   sound.mesh.faces.reserve(faces.size());
   sound.input_face.reserve(faces.size());
   sound.face_areas.reserve(faces.size());
   Face previous{-1, -1, -1};
   for (const auto& [vertices, face] : sorted_faces(input.num_vertices(), faces)) {
+    const bool is_left_out = std::ranges::any_of(
+        input.faces[face], [&](int v) { return kinds[v] != VertexKind::kSound; });
+    if (is_left_out) continue;
     const double area = sound_area(sound.mesh, vertices);
     const bool is_duplicate = std::exchange(previous, vertices) == vertices;
     if (area == 0) {

@@ -22,9 +22,12 @@ struct SoundMesh {
   int degenerate_faces = 0;
   /// Left out because a face of lower index has the same three vertices.
   int duplicate_faces = 0;
+  /// Vertices whose faces are left out, see `VertexKind`. In `mesh` those that are not finite lie
+  /// outside of the others.
+  int not_finite_vertices = 0, stray_vertices = 0;
 };
 
-/// Sorts out the faces of a valid mesh. O(N log N).
+/// Sorts out the vertices and faces of a valid mesh. O(N log N).
 SoundMesh sound_mesh(const Mesh& input);
 
 }  // namespace isomatch

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "parallel.h"
+
 namespace isomatch::synth {
 namespace {
 
@@ -96,8 +98,8 @@ class Lattice {
   void evaluate(const Body& body, const Context& context) {
     values_.resize(index(0, 0, size_[2]));
     const int rows = size_[1] * size_[2];
-#pragma omp parallel for num_threads(context.threads) schedule(dynamic, 16)
-    for (int row = 0; row < rows; ++row) evaluate_row(body, row);
+    parallel_for(rows, context,
+                 [&](std::ptrdiff_t row) { evaluate_row(body, static_cast<int>(row)); });
   }
 
   /// Passes over points that are too far from the skin for any of their edges to cross it. They get
@@ -169,8 +171,8 @@ class Lattice {
 
 Mesh contour(const Body& body, double spacing, Random& random, const Context& context) {
   Mesh mesh = Lattice(body, spacing, random, context).march();
-#pragma omp parallel for num_threads(context.threads) schedule(static)
-  for (int v = 0; v < mesh.num_vertices(); ++v) mesh.vertices[v] = body.project(mesh.vertices[v]);
+  parallel_for(mesh.num_vertices(), context,
+               [&](std::ptrdiff_t v) { mesh.vertices[v] = body.project(mesh.vertices[v]); });
   return mesh;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "parallel.h"
 #include "point_tree.h"
 
 namespace isomatch::synth {
@@ -27,8 +28,8 @@ int SurfaceLookup::nearest(const Point& query) const {
 
 std::vector<int> SurfaceLookup::nearest(const std::vector<Point>& queries) const {
   std::vector<int> result(queries.size());
-#pragma omp parallel for num_threads(context_->threads) schedule(static)
-  for (std::size_t i = 0; i < queries.size(); ++i) result[i] = nearest(queries[i]);
+  parallel_for(std::ssize(queries), *context_,
+               [&](std::ptrdiff_t i) { result[i] = nearest(queries[i]); });
   return result;
 }
 

@@ -7,6 +7,8 @@
 #include <queue>
 #include <tuple>
 
+#include "parallel.h"
+
 namespace isomatch::synth {
 namespace {
 
@@ -33,8 +35,7 @@ Remesher::Remesher(const Body& body, const Pose& pose, const Mesh& mesh, const C
       table_(mesh),
       rest_(mesh.vertices),
       posed_(mesh.vertices.size()) {
-#pragma omp parallel for num_threads(context.threads) schedule(static)
-  for (std::size_t v = 0; v < rest_.size(); ++v) posed_[v] = pose(rest_[v]);
+  parallel_for(std::ssize(rest_), context, [&](std::ptrdiff_t v) { posed_[v] = pose(rest_[v]); });
 }
 
 double Remesher::area() const {
@@ -169,11 +170,11 @@ double Remesher::star_quality(int vertex, const Point& p) const {
 
 void Remesher::relax() {
   std::vector<Point> rest(rest_.size());
-#pragma omp parallel for num_threads(context_->threads) schedule(static)
-  for (int v = 0; v < num_vertices(); ++v) rest[v] = relaxed(v);
+  parallel_for(num_vertices(), *context_,
+               [&](std::ptrdiff_t v) { rest[v] = relaxed(static_cast<int>(v)); });
   rest_ = std::move(rest);
-#pragma omp parallel for num_threads(context_->threads) schedule(static)
-  for (int v = 0; v < num_vertices(); ++v) posed_[v] = (*pose_)(rest_[v]);
+  parallel_for(num_vertices(), *context_,
+               [&](std::ptrdiff_t v) { posed_[v] = (*pose_)(rest_[v]); });
 }
 
 void Remesher::subdivide() {
@@ -181,11 +182,10 @@ void Remesher::subdivide() {
   const auto ends = table_.subdivide();
   rest_.resize(num_vertices());
   posed_.resize(num_vertices());
-#pragma omp parallel for num_threads(context_->threads) schedule(static)
-  for (int i = 0; i < static_cast<int>(ends.size()); ++i) {
+  parallel_for(std::ssize(ends), *context_, [&](std::ptrdiff_t i) {
     rest_[old + i] = body_->project((rest_[ends[i][0]] + rest_[ends[i][1]]) / 2);
     posed_[old + i] = (*pose_)(rest_[old + i]);
-  }
+  });
 }
 
 Skin Remesher::take() { return {table_.faces(), std::move(posed_), std::move(rest_)}; }

@@ -9,6 +9,7 @@
 #include "elastic/descent.h"
 #include "elastic/foot.h"
 #include "elastic/nearest_point.h"
+#include "parallel.h"
 #include "tracked/transfer.h"
 
 namespace isomatch::tracked {
@@ -31,10 +32,10 @@ std::vector<int> closest_details(const Side& from, const Side& onto,
                                       selected(onto.deformed.normals, vertices),
                                       onto.deformed.features, weights);
   std::vector<int> closest(queries.size());
-#pragma omp parallel for schedule(dynamic, 256) num_threads(context.threads)
-  for (std::size_t d = 0; d < queries.size(); ++d)
+  parallel_for(std::ssize(queries), context, [&](std::ptrdiff_t d) {
     closest[d] = vertices[nearest(from.deformed.positions[queries[d]],
                                   from.deformed.normals[queries[d]], from.deformed.features[d])];
+  });
   return closest;
 }
 
@@ -52,14 +53,13 @@ SurfaceMap project(const Side& from, const Side& onto, const elastic::Projection
   const UnitSurface& surface = onto.model.surface;
   const Mesh mesh{onto.deformed.positions, surface.mesh.faces};
   SurfaceMap map(from.deformed.positions.size());
-#pragma omp parallel for schedule(dynamic, 1024) num_threads(context.threads)
-  for (std::size_t v = 0; v < map.size(); ++v) {
+  parallel_for(std::ssize(map), context, [&](std::ptrdiff_t v) {
     const Point& p = from.deformed.positions[v];
     const int vertex = elastic::descend(starts[from.model.anchors[v]], p, mesh, surface.faces);
     const elastic::Foot foot =
         elastic::foot_around(vertex, p, mesh, surface.faces, onto.deformed.normals);
     map[v] = in_surface(foot, surface);
-  }
+  });
   return map;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "elastic/descent.h"
+#include "parallel.h"
 #include "tracked/relief.h"
 #include "tracked/simplify.h"
 
@@ -52,9 +53,9 @@ void set_places(Detail& detail, const std::vector<int>& vertices, const Context&
 
 std::vector<int> anchors(const UnitSurface& surface, const Detail& detail, const Context& context) {
   std::vector<int> anchor = fewest_edges_away(surface, detail);
-#pragma omp parallel for schedule(static) num_threads(context.threads)
-  for (std::size_t v = 0; v < anchor.size(); ++v)
+  parallel_for(std::ssize(anchor), context, [&](std::ptrdiff_t v) {
     anchor[v] = elastic::descend(anchor[v], surface.mesh.vertices[v], detail.mesh, detail.faces);
+  });
   return anchor;
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "parallel.h"
 #include "tracked/densify.h"
 
 namespace isomatch::tracked {
@@ -69,16 +70,14 @@ std::vector<LandmarkMap> grow_all(const std::vector<Correspondence>& starts,
                                   const GrowthStage& stage, const HypothesisOptions& options,
                                   const Context& context) {
   std::vector<LandmarkMap> maps(starts.size());
-#pragma omp parallel num_threads(context.threads)
-  {
-    Growth growth(source, stage.source_landmarks, target, stage.target_landmarks, options.growth);
-#pragma omp for schedule(dynamic)
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      maps[i] = growth.grow(starts[i]);
-      growth.revise(maps[i]);
-      growth.measure(maps[i]);
-    }
-  }
+  const auto make = [&] {
+    return Growth(source, stage.source_landmarks, target, stage.target_landmarks, options.growth);
+  };
+  parallel_for(std::ssize(starts), context, make, [&](Growth& growth, std::ptrdiff_t i) {
+    maps[i] = growth.grow(starts[i]);
+    growth.revise(maps[i]);
+    growth.measure(maps[i]);
+  });
   select(maps, target, stage.max_maps, options);
   return maps;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "parallel.h"
 #include "tracked/densify.h"
 
 namespace isomatch::tracked {
@@ -56,11 +57,10 @@ std::vector<Judged> judged_hypotheses(const Model& source, const Model& target,
       find_hypotheses(source.proxy, target.proxy, with_landmarks(source, target, options), context);
   const elastic::Projection surface = projection_onto(target.proxy, options.early_projection);
   std::vector<Judged> judged(hypotheses.size());
-#pragma omp parallel for schedule(dynamic) num_threads(context.threads)
-  for (std::size_t k = 0; k < hypotheses.size(); ++k) {
+  parallel_for(std::ssize(hypotheses), context, [&](std::ptrdiff_t k) {
     const double e = energy(source, target, hypotheses[k], surface, options);
     judged[k] = {std::move(hypotheses[k]), e, &source};
-  }
+  });
   if (options.elastic_judging) sort_by_cost(judged);
   return judged;
 }

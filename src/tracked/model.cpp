@@ -43,7 +43,7 @@ Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& op
   Proxy proxy = make_proxy(detail, unit.oriented, options.proxy, context);
   set_places(detail, place_vertices(proxy), context);
   std::vector<int> anchor = anchors(unit, detail, context);
-  spectral::Eigenbasis basis = spectral::eigenbasis(proxy.mesh, options.last_basis);
+  spectral::Eigenbasis basis = spectral::eigenbasis(proxy.mesh, options.last_basis, context);
   Model model{std::move(unit),
               std::move(detail),
               std::move(anchor),

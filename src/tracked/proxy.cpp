@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "parallel.h"
 #include "tracked/simplify.h"
 #include "tracked/unit_surface.h"
 
@@ -29,13 +30,11 @@ std::vector<int> spread_nodes(const GeodesicGraph& graph, int count) {
 void measure_distances(Proxy& proxy, int most, const Context& context) {
   const std::size_t n = proxy.mesh.vertices.size();
   proxy.distances.resize(std::min(proxy.num_nodes(), most), static_cast<Eigen::Index>(n));
-#pragma omp parallel num_threads(context.threads)
-  {
-    GeodesicSearch search(proxy.graph);
-#pragma omp for schedule(dynamic, 16)
-    for (int i = 0; i < proxy.num_measured(); ++i)
-      search.field(proxy.nodes[i], {proxy.distances.row(i).data(), n});
-  }
+  parallel_for(
+      proxy.num_measured(), context, [&] { return GeodesicSearch(proxy.graph); },
+      [&](GeodesicSearch& search, std::ptrdiff_t i) {
+        search.field(proxy.nodes[i], {proxy.distances.row(i).data(), n});
+      });
 }
 
 }  // namespace

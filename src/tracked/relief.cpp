@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "cotangent_laplacian.h"
+#include "isomatch/error.h"
 
 namespace isomatch::tracked {
 
@@ -25,6 +26,7 @@ std::vector<std::array<double, elastic::kReliefs>> relief(const Mesh& mesh,
     Eigen::SparseMatrix<double> system = laplacian * (kScales[k] * kScales[k]);
     for (int v = 0; v < mesh.num_vertices(); ++v) system.coeffRef(v, v) += areas[v];
     solver.factorize(system);
+    if (solver.info() != Eigen::Success) throw SolverFailure("a surface cannot be smoothed");
     const Eigen::MatrixX3d smooth = solver.solve(weighted);
     for (int v = 0; v < mesh.num_vertices(); ++v)
       features[v][k] = normals[v].dot((positions.row(v) - smooth.row(v)).transpose()) / kScales[k];

@@ -18,11 +18,11 @@ TrackerOptions reversed(TrackerOptions options) {
 
 /// The target, registered onto the source.
 Track reverse_track(const Track& track, const Tracking& tracking, const Model& target,
-                    const TrackerOptions& options) {
+                    const TrackerOptions& options, const Context& context) {
   const Model& source = *track.judged.source;
   Judged judged = track.judged;
   judged.source = &target;
-  return Tracking(source, options)
+  return Tracking(source, options, context)
       .fine_rounds(judged, node_vertices(source.proxy, tracking.nearest_nodes(track)),
                    std::max(0, options.rounds - options.reverse_rounds));
 }
@@ -51,9 +51,9 @@ std::vector<Point> places_below(const Level& nodes, const Proxy& source, const P
 }  // namespace
 
 void settle_with_reverse(Track& track, const Tracking& tracking, const Model& target,
-                         const TrackerOptions& options) {
+                         const TrackerOptions& options, const Context& context) {
   constexpr double kDisagreement = 0.1;
-  const Track reverse = reverse_track(track, tracking, target, reversed(options));
+  const Track reverse = reverse_track(track, tracking, target, reversed(options), context);
   std::vector<Point> anchors = places_below(*track.source, track.judged.source->proxy, target.proxy,
                                             reverse, options.fine_projection);
   for (std::size_t i = 0; i < anchors.size(); ++i) {

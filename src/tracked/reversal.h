@@ -11,6 +11,6 @@ namespace isomatch::tracked {
 /// does wrong depends on which of the shapes it bends, so the mean is closer to the truth.
 /// The energy, distance and deviation of the track stay those by which it was judged.
 void settle_with_reverse(Track& track, const Tracking& tracking, const Model& target,
-                         const TrackerOptions& options);
+                         const TrackerOptions& options, const Context& context = {});
 
 }  // namespace isomatch::tracked

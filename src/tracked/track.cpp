@@ -39,9 +39,10 @@ double between(double first, double last, double progress) {
 
 }  // namespace
 
-Tracking::Tracking(const Model& target, const TrackerOptions& options)
+Tracking::Tracking(const Model& target, const TrackerOptions& options, const Context& context)
     : target_(target),
       options_(options),
+      context_(context),
       early_surface_(projection_onto(target.proxy, options.early_projection)),
       middle_surface_(projection_onto(target.proxy, options.middle_projection)),
       fine_surface_(projection_onto(target.proxy, options.fine_projection)) {}
@@ -119,6 +120,7 @@ Track Tracking::enter(const Judged& judged, const Level& source, const Level& ta
 
 /// The map that a spectral step makes of a track, for the nodes of `wanted`.
 std::vector<int> Tracking::spectral_step(const Track& track, const Level& wanted, int round) const {
+  context_.check_stop();
   return refine(track.source->samples, track.target->samples, target_.basis,
                 {track.vertices, nearest_nodes(track)}, wanted.samples, basis_size(round));
 }
@@ -156,6 +158,7 @@ void Tracking::advance(Track& track, const elastic::Projection& onto,
 void Tracking::advance(Track& track, const elastic::Projection& onto,
                        const elastic::RegistrationOptions& step,
                        std::span<const Point> anchors) const {
+  context_.check_stop();
   track.registration = register_onto(
       track.cloud, track.deformation, onto, anchors, step,
       landmark_pins(*track.judged.source, target_, track.source->size(), options_.landmarks));

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "isomatch/context.h"
 #include "tracked/judging.h"
 
 namespace isomatch::tracked {
@@ -31,8 +32,8 @@ struct Track {
 /// registrations know its shape in space; in turn they correct each other, from smooth to fine.
 class Tracking {
  public:
-  /// Keeps references.
-  Tracking(const Model& target, const TrackerOptions& options);
+  /// Keeps references to the first two. What it does throws `Cancelled` soon after a stop.
+  Tracking(const Model& target, const TrackerOptions& options, const Context& context = {});
 
   /// The hypothesis after the rounds on the middle level, mended if it fits better then.
   Track begin(const Judged& judged) const;
@@ -63,6 +64,7 @@ class Tracking {
 
   const Model& target_;
   const TrackerOptions& options_;
+  Context context_;
   elastic::Projection early_surface_, middle_surface_, fine_surface_;
 };
 

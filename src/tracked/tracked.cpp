@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "isomatch/error.h"
+#include "parallel.h"
 #include "tracked/dense_map.h"
 #include "tracked/tracker.h"
 
@@ -47,12 +48,11 @@ std::vector<Model> make_models(const Surface& source, const Surface& target, boo
   };
   std::vector<Request> requests{{&target, false}, {&source, false}};
   if (with_mirror) requests.push_back({&source, true});
-  Context alone;
-  alone.threads = 1;
+  const Context alone{.threads = 1, .progress = {}, .stop = context.stop};
   std::vector<std::optional<Model>> made(requests.size());
-#pragma omp parallel for schedule(dynamic) num_threads(context.threads)
-  for (std::size_t k = 0; k < requests.size(); ++k)
+  parallel_for(std::ssize(requests), context, [&](std::ptrdiff_t k) {
     made[k].emplace(make_model(*requests[k].surface, requests[k].mirrored, options, alone));
+  });
   std::vector<Model> models;
   for (auto& model : made) models.push_back(std::move(*model));
   return models;

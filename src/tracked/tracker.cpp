@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "parallel.h"
 #include "tracked/reversal.h"
 
 namespace isomatch::tracked {
@@ -32,8 +33,7 @@ std::vector<Track> all_tracks(const std::vector<Start>& starts, int most, const 
                               const Step& step) {
   const int count = std::min(static_cast<int>(starts.size()), most);
   std::vector<std::optional<Track>> made(count);
-#pragma omp parallel for schedule(dynamic) num_threads(context.threads)
-  for (int i = 0; i < count; ++i) made[i].emplace(step(starts[i]));
+  parallel_for(count, context, [&](std::ptrdiff_t i) { made[i].emplace(step(starts[i])); });
   std::vector<Track> tracks;
   for (auto& track : made) tracks.push_back(std::move(*track));
   return tracks;
@@ -69,7 +69,7 @@ double margin(const Track& winner, const std::vector<Track>& tracks) {
 
 Finals run_finals(const Model& target, const std::vector<Judged>& judged,
                   const TrackerOptions& options, const Context& context) {
-  const Tracking tracking(target, options);
+  const Tracking tracking(target, options, context);
   const int finalists = std::max(options.finalists, options.different_maps);
   const int entrants =
       options.different_maps > 1 ? static_cast<int>(judged.size()) : options.entrants;
@@ -89,7 +89,8 @@ Finals run_finals(const Model& target, const std::vector<Judged>& judged,
     finals.tracks.erase(finals.tracks.begin() + options.different_maps, finals.tracks.end());
   context.check_stop();
   if (options.rounds > 0)
-    for (Track& track : finals.tracks) settle_with_reverse(track, tracking, target, options);
+    for (Track& track : finals.tracks)
+      settle_with_reverse(track, tracking, target, options, context);
   return finals;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "parallel.h"
+
 namespace isomatch::tracked {
 namespace {
 
@@ -76,9 +78,9 @@ DeformedSurface transfer(const Model& model, const elastic::Deformation& deforma
   DeformedSurface result{model.surface.mesh.vertices, model.surface.normals, model.detail.features};
   for (std::size_t d = 0; d < nearest.size(); ++d)
     result.features[d].place = blend.place(nearest[d], model.detail.mesh.vertices[d]);
-#pragma omp parallel for schedule(static) num_threads(context.threads)
-  for (std::size_t v = 0; v < result.positions.size(); ++v)
+  parallel_for(std::ssize(result.positions), context, [&](std::ptrdiff_t v) {
     blend.move(nearest[model.anchors[v]], result.positions[v], result.normals[v]);
+  });
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "isomatch/error.h"
 #include "isomatch/map_inversion.h"
 #include "isomatch/topology.h"
+#include "parallel.h"
 #include "transfer/checks.h"
 #include "transfer/welded.h"
 
@@ -170,9 +171,10 @@ SurfaceMap invert_map(const Mesh& source, const Mesh& target, const SurfaceMap& 
   const Images images(source, target, source_to_target, options.normal_weight * unit);
   SurfaceMap result(target.vertices.size());
   if (images.empty()) return result;
-#pragma omp parallel for schedule(static) num_threads(context.threads)
-  for (int t = 0; t < target.num_vertices(); ++t)
+  parallel_for(target.num_vertices(), context, [&](std::ptrdiff_t i) {
+    const int t = static_cast<int>(i);
     result[t] = images.nearest(images.coordinates(target, t), options.max_distance * unit);
+  });
   return result;
 }
 

@@ -127,23 +127,23 @@ TEST_F(PaperPoses, LeaveNoVertexOutsideThePatchesOfALevel) {
   GeodesicSearch search(source_->graph);
   for (std::size_t k = 0; k < result_.levels.size(); ++k) {
     const SourcePartition nearest = search.nearest_source(source_bases(static_cast<int>(k)));
-    EXPECT_LE(std::ranges::max(nearest.distances), result_.levels[k].source_radius);
+    EXPECT_LE(std::ranges::max(nearest.distances) * source_->unit, result_.levels[k].source_radius);
   }
 }
 
 TEST_F(PaperPoses, ShrinkTheRadiusByTheRule) {
   const RadiusOptions options;
   for (std::size_t k = 1; k < result_.levels.size(); ++k) {
-    const float previous = result_.levels[k - 1].source_radius;
-    const BaseSampling sampling =
-        sample_bases(*source_, {}, source_bases(static_cast<int>(k) - 1), previous);
+    const double previous = result_.levels[k - 1].source_radius / source_->unit;
+    const BaseSampling sampling = sample_bases(*source_, {}, source_bases(static_cast<int>(k) - 1),
+                                               static_cast<float>(previous));
     const double rule =
         options.radius_factor * std::sqrt(sampling.largest_patch_area / std::numbers::pi);
     const bool full =
         result_.levels[k - 1].source_bases >= options.full_share * source_->num_vertices();
     const double expected = full ? 0 : std::min(rule, options.max_radius_ratio * previous);
-    EXPECT_FLOAT_EQ(result_.levels[k].source_radius, static_cast<float>(expected));
-    EXPECT_LT(result_.levels[k].source_radius, previous);
+    EXPECT_NEAR(result_.levels[k].source_radius / source_->unit, expected, 1e-6 * expected);
+    EXPECT_LT(result_.levels[k].source_radius, result_.levels[k - 1].source_radius);
     EXPECT_LT(result_.levels[k].target_radius, result_.levels[k - 1].target_radius);
   }
 }

@@ -51,7 +51,7 @@ void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
   const PaperRun run{std::move(inputs),
                      paper_options_json(arguments, paper),
                      std::move(result),
-                     {source.max_geodesic, target.max_geodesic}};
+                     {source.unit * source.max_geodesic, target.unit * target.max_geodesic}};
   context.report(kMatched, "writing");
   write_paper(arguments.folder, run);
   if (!arguments.quiet) print_summary(run, arguments.folder);

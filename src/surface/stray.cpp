@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "surface/stray.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "isomatch/topology.h"
+#include "point_tree.h"
+
+namespace isomatch {
+namespace {
+
+/// Where all but a hundredth of the vertices that faces use are.
+struct Bulk {
+  Point middle{0, 0, 0};
+  double radius = 0;
+};
+
+double quantile(std::vector<double>& values, std::size_t place) {
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(place);
+  std::ranges::nth_element(values, nth);
+  return *nth;
+}
+
+Bulk bulk_of(const std::vector<Point>& points) {
+  Bulk bulk;
+  if (points.empty()) return bulk;
+  std::vector<double> values(points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    std::ranges::transform(points, values.begin(), [&](const Point& p) { return p[axis]; });
+    bulk.middle[axis] = quantile(values, points.size() / 2);
+  }
+  std::ranges::transform(points, values.begin(),
+                         [&](const Point& p) { return (p - bulk.middle).norm(); });
+  bulk.radius = quantile(values, points.size() - 1 - points.size() / 100);
+  return bulk;
+}
+
+std::vector<Point> used_points(const Mesh& mesh, const std::vector<VertexKind>& kinds) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Face& face : mesh.faces)
+    for (int v : face) used[v] = kinds[v] == VertexKind::kSound;
+  std::vector<Point> points;
+  for (int v = 0; v < mesh.num_vertices(); ++v)
+    if (used[v]) points.push_back(mesh.vertices[v]);
+  return points;
+}
+
+/// Calls `visit(v, u)` for both directions of all edges.
+template <class Visit>
+void for_each_half_edge(const Mesh& mesh, const Visit& visit) {
+  for (const Face& face : mesh.faces) {
+    for (int corner = 0; corner < 3; ++corner) {
+      visit(face[corner], face[(corner + 1) % 3]);
+      visit(face[(corner + 1) % 3], face[corner]);
+    }
+  }
+}
+
+/// Makes vertices sound again that short edges join to sound ones: they are no spike but a coarsely
+/// meshed part.
+void keep_coarse_parts(const Mesh& mesh, double long_edge, std::vector<VertexKind>& kinds) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for_each_half_edge(mesh, [&](int v, int u) {
+      if (kinds[v] != VertexKind::kStray || kinds[u] != VertexKind::kSound) return;
+      if ((mesh.vertices[v] - mesh.vertices[u]).norm() >= long_edge) return;
+      kinds[v] = VertexKind::kSound;
+      changed = true;
+    });
+  }
+}
+
+std::vector<Point> border_points(const Mesh& mesh) {
+  std::vector<bool> open(mesh.vertices.size(), false);
+  for_each_edge(sorted_edge_sides(mesh), [&](std::span<const EdgeSide> sides) {
+    if (sides.size() == 1) open[sides[0].low] = open[sides[0].high] = true;
+  });
+  std::vector<Point> points;
+  for (int v = 0; v < mesh.num_vertices(); ++v)
+    if (open[v]) points.push_back(mesh.vertices[v]);
+  return points;
+}
+
+double mean_edge(const Mesh& mesh) {
+  double sum = 0;
+  for_each_half_edge(mesh,
+                     [&](int v, int u) { sum += (mesh.vertices[v] - mesh.vertices[u]).norm(); });
+  return sum / (6.0 * mesh.num_faces());
+}
+
+}  // namespace
+
+std::vector<VertexKind> vertex_kinds(const Mesh& mesh) {
+  constexpr double kFar = 4;
+  // What reaches from the bulk to a vertex that far is at least this long.
+  constexpr double kLong = kFar - 1;
+  std::vector<VertexKind> kinds(mesh.vertices.size(), VertexKind::kSound);
+  for (int v = 0; v < mesh.num_vertices(); ++v)
+    if (!mesh.vertices[v].allFinite()) kinds[v] = VertexKind::kNotFinite;
+  const Bulk bulk = bulk_of(used_points(mesh, kinds));
+  if (bulk.radius == 0) return kinds;
+  bool any = false;
+  for (int v = 0; v < mesh.num_vertices(); ++v) {
+    if (kinds[v] == VertexKind::kNotFinite) continue;
+    if ((mesh.vertices[v] - bulk.middle).norm() < kFar * bulk.radius) continue;
+    kinds[v] = VertexKind::kStray;
+    any = true;
+  }
+  if (any) keep_coarse_parts(mesh, kLong * bulk.radius, kinds);
+  return kinds;
+}
+
+int count_near_seam_vertices(const Mesh& mesh) {
+  constexpr double kNear = 0.01;
+  const std::vector<Point> points = border_points(mesh);
+  if (points.empty()) return 0;
+  const double bound = kNear * mean_edge(mesh);
+  const PointTree tree(points);
+  const auto is_near = [&](const Point& point) {
+    // Two that coincide with it exactly may come first.
+    std::array<std::size_t, 4> nearest{};
+    const std::size_t found = tree.nearest(point, nearest);
+    return std::ranges::any_of(std::span(nearest).first(found), [&](std::size_t other) {
+      const double distance = (points[other] - point).norm();
+      return distance > 0 && distance < bound;
+    });
+  };
+  return static_cast<int>(std::ranges::count_if(points, is_near));
+}
+
+}  // namespace isomatch
