@@ -60,11 +60,12 @@ void write_faces(LineFile& file, const TexturedMesh& textured) {
 
 }  // namespace
 
-TexturedMesh read_textured_mesh(const std::string& path) {
+TexturedMesh read_textured_mesh(const std::string& path, MeshReadReport* report) {
   const InputFile file(path);
   check_ending(path, ".obj");
   mesh_io::ReadResult result = mesh_io::read_textured_obj(file);
   if (result.mesh.vertices.empty()) file.fail("the mesh has no vertices");
+  if (report) *report = std::move(result.report);
   TexturedMesh textured{std::move(result.mesh), std::move(result.texture)};
   for (int f = 0; f < textured.mesh.num_faces(); ++f)
     if (textured.texture.covers(f)) return textured;
@@ -104,12 +105,13 @@ void write_textured_mesh(const std::string& path, const TexturedMesh& textured,
   file.commit();
 }
 
-VertexColors read_vertex_colors(const std::string& path) {
+VertexColors read_vertex_colors(const std::string& path, MeshReadReport* report) {
   const InputFile file(path);
   check_ending(path, ".ply");
-  VertexColors colors = mesh_io::read_colored_ply(file).colors;
-  if (colors.empty()) file.fail("its vertices have no colours: red, green and blue");
-  return colors;
+  mesh_io::ReadResult result = mesh_io::read_colored_ply(file);
+  if (result.colors.empty()) file.fail("its vertices have no colours: red, green and blue");
+  if (report) *report = std::move(result.report);
+  return std::move(result.colors);
 }
 
 void write_colored_mesh(const std::string& path, const Mesh& mesh, const VertexColors& colors) {

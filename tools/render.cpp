@@ -7,6 +7,7 @@
 #include "command.h"
 #include "isomatch/error.h"
 #include "isomatch/texture_io.h"
+#include "load.h"
 #include "picture/pair.h"
 #include "picture/position_colors.h"
 #include "result/materials.h"
@@ -47,7 +48,7 @@ struct Painted {
 };
 
 Painted load_painted(const std::string& path, const Mesh& matched) {
-  TexturedMesh textured = read_textured_mesh(path);
+  TexturedMesh textured = load_textured_mesh(path);
   const auto same = std::ranges::mismatch(matched.vertices, textured.mesh.vertices).in1;
   if (same != matched.vertices.end())
     throw BadFile(path, "does not begin with the vertices of the mesh that was matched");

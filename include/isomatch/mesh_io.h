@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "isomatch/mesh.h"
 
@@ -15,6 +16,9 @@ struct MeshReadReport {
   /// STL only: corners of triangles that share a vertex with an earlier corner, because their
   /// positions are exactly equal (-0 equals 0).
   int merged_vertices = 0;
+  /// What was left out or had to be guessed, a sentence each without the file's name; what happens
+  /// often is told once, with its number.
+  std::vector<std::string> warnings;
 };
 
 /// Reads a triangle mesh and reports to `report`, unless it is null. The file name's ending tells

@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "isomatch/mesh_io.h"
 #include "isomatch/texture.h"
 
-/// Mesh files with what they look like. What is said in mesh_io.h of vertex order, exceptions and
-/// cost holds here too.
+/// Mesh files with what they look like. What is said in mesh_io.h of vertex order, reports,
+/// exceptions and cost holds here too.
 namespace isomatch {
 
 /// Reads an .obj file with `vt`, `usemtl` and the corners of its faces. Faces of which a corner has
 /// no texture coordinate have none. Throws `BadFile` too if no face has any.
-TexturedMesh read_textured_mesh(const std::string& path);
+TexturedMesh read_textured_mesh(const std::string& path, MeshReadReport* report = nullptr);
 
 /// The files of materials that an .obj file names, as it names them.
 std::vector<std::string> material_libraries(const std::string& path);
@@ -28,7 +29,7 @@ using VertexColors = std::vector<Eigen::Vector3d>;
 
 /// Reads the vertex colours of a .ply file (`red`, `green` and `blue`; integers are divided by the
 /// largest of their type). Throws `BadFile` too if it has none.
-VertexColors read_vertex_colors(const std::string& path);
+VertexColors read_vertex_colors(const std::string& path, MeshReadReport* report = nullptr);
 
 /// Writes a binary .ply file with colours of 8 bits a channel. Throws `InvalidInput` if there are
 /// not as many colours as vertices.

@@ -62,12 +62,13 @@ void validate(const Model& model) {
   }
 }
 
-Model read_model(const std::string& path) {
+Model read_model(const std::string& path, MeshReadReport* report) {
   const Read read = reader_of(path);
-  if (!read) return {read_mesh(path), {}, {}, {}};
+  if (!read) return {read_mesh(path, report), {}, {}, {}};
   const InputFile file(path);
   mesh_io::ReadResult result = read(file);
   mesh_io::check_size(result.mesh, file);
+  if (report) *report = std::move(result.report);
   Model model{std::move(result.mesh), std::move(result.colors), std::move(result.texture),
               std::move(result.poses)};
   drop_empty_texture(model);

@@ -9,6 +9,7 @@
 #include "isomatch/error.h"
 #include "isomatch/texture_io.h"
 #include "isomatch/texture_transfer.h"
+#include "load.h"
 #include "result/materials.h"
 #include "transfer/carry.h"
 
@@ -64,7 +65,7 @@ constexpr std::string_view kUncovered = "newmtl none\nKd 0.5 0.5 0.5\n";
 }  // namespace
 
 void carry_texture(const TransferJob& job, const TransferArguments& arguments) {
-  TexturedMesh from = read_textured_mesh(arguments.texture);
+  TexturedMesh from = load_textured_mesh(arguments.texture);
   if (from.mesh.faces != job.from.faces || from.mesh.num_vertices() != job.from.num_vertices())
     throw BadFile(arguments.texture,
                   "does not have the vertices and faces of the mesh that was matched");
