@@ -85,7 +85,7 @@ void write_model(const std::string& path, const Model& model) {
   } else if (ends_with(path, ".ply") && !model.colors.empty()) {
     write_colored_mesh(path, model.mesh, model.colors);
   } else if (ends_with(path, ".obj") && !model.texture.corners.empty()) {
-    write_textured_mesh(path, {model.mesh, model.texture}, "");
+    write_textured_mesh(path, {model.mesh, model.texture});
   } else {
     write_mesh(path, model.mesh);
   }
