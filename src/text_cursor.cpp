@@ -82,11 +82,37 @@ std::string_view TextCursor::peek_word() {
   return {position_, word_end()};
 }
 
-double TextCursor::number() {
+std::string TextCursor::rest_of_line() {
+  std::string result;
+  skip_blanks();
+  while (position_ != end_ && !is_line_end(*position_)) {
+    if (at_continuation(position_)) {
+      skip_blanks();
+      result += ' ';
+    } else {
+      result += *position_++;
+    }
+  }
+  while (!result.empty() && is_blank(result.back())) result.pop_back();
+  return result;
+}
+
+double TextCursor::number() { return parse_number("a number"); }
+
+double TextCursor::whole_number() {
+  skip_blanks();
+  const char* const start = position_;
+  const double value = parse_number("an integer");
+  if (value == std::floor(value)) return value;
+  position_ = start;
+  fail_number("an integer");
+}
+
+double TextCursor::parse_number(std::string_view expected) {
   skip_blanks();
   double value = 0;
   const auto [last, error] = std::from_chars(skip_plus(position_, end_), end_, value);
-  if (error == std::errc::invalid_argument || !ends_word(last)) fail_number("a number");
+  if (error == std::errc::invalid_argument || !ends_word(last)) fail_number(expected);
   if (error == std::errc::result_out_of_range) {
     if (!is_tiny({position_, last})) fail_number("a number that fits a double");
     value = 0;

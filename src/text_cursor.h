@@ -40,8 +40,13 @@ class TextCursor {
   /// The next word on this line, empty at its end. `peek_word` stays in front of it.
   std::string_view word();
   std::string_view peek_word();
+  /// The rest of this line without the blanks around it; a # is part of it. A joined line follows
+  /// after a blank.
+  std::string rest_of_line();
   /// The next word as a finite number; one that is too small for a double is zero.
   double number();
+  /// The same, which must be whole; 2.0 and 2e0 are.
+  double whole_number();
   /// The next word as an integer.
   std::int64_t integer();
   /// The integer at the beginning of the next word, which ends there or goes on with `separator`.
@@ -63,6 +68,7 @@ class TextCursor {
     const char* last;
   };
 
+  double parse_number(std::string_view expected);
   ParsedInteger parse_integer();
   void skip_blanks();
   bool at_continuation(const char* at) const;

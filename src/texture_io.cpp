@@ -40,6 +40,15 @@ class LineFile {
   fmt::memory_buffer line_;
 };
 
+/// A name from another format, as one that ends with its line.
+std::string on_one_line(std::string name) {
+  std::ranges::replace_if(
+      name, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  // At the end of a line it would join it with the next one.
+  if (name.ends_with('\\')) name += ' ';
+  return name;
+}
+
 void write_faces(LineFile& file, const TexturedMesh& textured) {
   const Texture& texture = textured.texture;
   int material = Texture::kNone;
@@ -47,7 +56,8 @@ void write_faces(LineFile& file, const TexturedMesh& textured) {
     if (texture.face_material[f] != material) {
       material = texture.face_material[f];
       // A format without a word for "none" gets a name that no library defines.
-      file.add("usemtl {}", material == Texture::kNone ? "none" : texture.materials[material]);
+      file.add("usemtl {}",
+               material == Texture::kNone ? "none" : on_one_line(texture.materials[material]));
     }
     const auto& [a, b, c] = textured.mesh.faces[f];
     const auto& [u, v, w] = texture.corners[f];
@@ -60,56 +70,38 @@ void write_faces(LineFile& file, const TexturedMesh& textured) {
 
 }  // namespace
 
-TexturedMesh read_textured_mesh(const std::string& path) {
+TexturedMesh read_textured_mesh(const std::string& path, MeshReadReport* report) {
   const InputFile file(path);
   check_ending(path, ".obj");
   mesh_io::ReadResult result = mesh_io::read_textured_obj(file);
   if (result.mesh.vertices.empty()) file.fail("the mesh has no vertices");
+  if (report) *report = std::move(result.report);
   TexturedMesh textured{std::move(result.mesh), std::move(result.texture)};
   for (int f = 0; f < textured.mesh.num_faces(); ++f)
     if (textured.texture.covers(f)) return textured;
   file.fail("no face has texture coordinates");
 }
 
-std::vector<std::string> material_libraries(const std::string& path) {
-  const InputFile file(path);
-  std::vector<std::string> names;
-  TextCursor cursor(file, {.comments = true, .continuations = true});
-  while (cursor.find_content()) {
-    if (cursor.word() == "mtllib") {
-      // Names may hold blanks; several in a line are rare.
-      const char* const start = cursor.peek_word().data();
-      const char* end = start;
-      while (!cursor.at_line_end()) {
-        const std::string_view word = cursor.word();
-        end = word.data() + word.size();
-      }
-      names.emplace_back(start, end);
-    }
-    cursor.skip_line();
-  }
-  return names;
-}
-
 void write_textured_mesh(const std::string& path, const TexturedMesh& textured,
-                         const std::string& library) {
+                         const std::vector<std::string>& libraries) {
   check_ending(path, ".obj");
   validate(textured.mesh);
   validate(textured.texture, textured.mesh);
   LineFile file(path);
-  if (!library.empty()) file.add("mtllib {}", library);
+  for (const std::string& library : libraries) file.add("mtllib {}", library);
   for (const Point& p : textured.mesh.vertices) file.add("v {} {} {}", p.x(), p.y(), p.z());
   for (const auto& uv : textured.texture.coordinates) file.add("vt {} {}", uv.x(), uv.y());
   write_faces(file, textured);
   file.commit();
 }
 
-VertexColors read_vertex_colors(const std::string& path) {
+VertexColors read_vertex_colors(const std::string& path, MeshReadReport* report) {
   const InputFile file(path);
   check_ending(path, ".ply");
-  VertexColors colors = mesh_io::read_colored_ply(file).colors;
-  if (colors.empty()) file.fail("its vertices have no colours: red, green and blue");
-  return colors;
+  mesh_io::ReadResult result = mesh_io::read_colored_ply(file);
+  if (result.colors.empty()) file.fail("its vertices have no colours: red, green and blue");
+  if (report) *report = std::move(result.report);
+  return std::move(result.colors);
 }
 
 void write_colored_mesh(const std::string& path, const Mesh& mesh, const VertexColors& colors) {

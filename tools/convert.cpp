@@ -11,6 +11,7 @@
 #include "isomatch/map_file.h"
 #include "isomatch/mesh_io.h"
 #include "isomatch/model_io.h"
+#include "load.h"
 #include "result/result.h"
 #include "result/result_model.h"
 
@@ -70,9 +71,9 @@ void convert_map(const ConvertArguments& arguments) {
   MapChecks checks;
   std::optional<Mesh> target;
   if (!arguments.places.source.empty())
-    checks.source_vertices = read_mesh(arguments.places.source).num_vertices();
+    checks.source_vertices = load_mesh(arguments.places.source).num_vertices();
   if (!arguments.places.target.empty()) {
-    target = read_mesh(arguments.places.target);
+    target = load_mesh(arguments.places.target);
     checks.target_vertices = target->num_vertices();
     checks.target_faces = target->num_faces();
   }
@@ -105,7 +106,7 @@ void run_convert(const ConvertArguments& arguments) {
   else if (is_map_file_name(arguments.input))
     convert_map(arguments);
   else
-    write_model(arguments.output, read_model(arguments.input));
+    write_model(arguments.output, load_model(arguments.input));
 }
 
 void add_map_options(CLI::App& command, ConvertArguments& arguments) {

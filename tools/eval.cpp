@@ -37,7 +37,7 @@ MeasuredMap read_map(const EvalArguments& arguments, const Shape& source, const 
 
 Evaluation evaluate(const EvalArguments& arguments, const Context& context) {
   const Shape source = load_shape(arguments.source, context);
-  const Mesh target_mesh = read_mesh(arguments.target);
+  const Mesh target_mesh = load_mesh(arguments.target);
   const Shape target = prepare_loaded(arguments.target, target_mesh, context);
   const MeasuredMap map = read_map(arguments, source, target, target_mesh.num_faces());
   return evaluate(source, target, map, arguments.truth, arguments.options, context);

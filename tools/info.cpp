@@ -8,6 +8,7 @@
 #include "command.h"
 #include "isomatch/mesh_io.h"
 #include "json.h"
+#include "load.h"
 
 namespace isomatch::cli {
 namespace {
@@ -51,11 +52,13 @@ void print_surface(const MeshDiagnosis& diagnosis) {
 void run_info(const InfoArguments& arguments) {
   MeshReadReport report;
   const Mesh mesh = read_mesh(arguments.mesh, &report);
+  for (const std::string& warning : report.warnings) warn(arguments.mesh, warning);
   const MeshDiagnosis diagnosis = diagnose(mesh);
   if (arguments.json) {
     Json json = to_json(diagnosis);
     json["triangulated_polygons"] = report.triangulated_polygons;
     json["merged_vertices"] = report.merged_vertices;
+    json["read_warnings"] = report.warnings;
     fmt::print("{}\n", json.dump(2));
     return;
   }

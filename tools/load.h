@@ -3,11 +3,22 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "isomatch/diagnosis.h"
+#include "isomatch/model_io.h"
 #include "isomatch/shape.h"
 
 namespace isomatch::cli {
+
+/// Tells on standard error, `--quiet` or not, what is odd about the file `path`.
+void warn(const std::string& path, std::string_view warning);
+
+/// The readers of the same names with `read` for `load`. They tell what the reader warns of.
+Mesh load_mesh(const std::string& path);
+Model load_model(const std::string& path);
+TexturedMesh load_textured_mesh(const std::string& path);
+VertexColors load_vertex_colors(const std::string& path);
 
 /// Diagnosis and surface, of which there is one, of a mesh that was read from `path`. What makes it
 /// unusable is a `BadFile`.

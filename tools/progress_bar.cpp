@@ -36,4 +36,8 @@ void ProgressBar::update(double fraction, std::string_view stage) {
       fmt::format("{}[{:<{}}] {:3.0f}% {}", kClearLine, filled, kBarWidth, share * 100, stage));
 }
 
+void ProgressBar::clear_line() {
+  if (isatty(STDERR_FILENO) == 1) write_to_stderr(kClearLine);
+}
+
 }  // namespace isomatch::cli

@@ -19,6 +19,10 @@ class ProgressBar {
   /// Shows `fraction` in [0, 1] and the name of the stage; redraws at most ten times a second.
   void update(double fraction, std::string_view stage);
 
+  /// Makes room for other text on standard error, if it is a terminal; the next update draws the
+  /// bar again.
+  static void clear_line();
+
  private:
   bool visible_;
   bool drawn_ = false;

@@ -7,6 +7,7 @@
 #include "command.h"
 #include "isomatch/error.h"
 #include "isomatch/texture_io.h"
+#include "load.h"
 #include "picture/pair.h"
 #include "picture/position_colors.h"
 #include "result/materials.h"
@@ -47,13 +48,13 @@ struct Painted {
 };
 
 Painted load_painted(const std::string& path, const Mesh& matched) {
-  TexturedMesh textured = read_textured_mesh(path);
+  TexturedMesh textured = load_textured_mesh(path);
   const auto same = std::ranges::mismatch(matched.vertices, textured.mesh.vertices).in1;
   if (same != matched.vertices.end())
     throw BadFile(path, "does not begin with the vertices of the mesh that was matched");
   Painted painted{std::move(textured.mesh), {std::move(textured.texture), {}}};
   for (const std::string& image : material_images(path, painted.paint.texture.materials))
-    painted.paint.images.push_back(image.empty() ? picture::Image{} : picture::read_png(image));
+    painted.paint.images.push_back(image.empty() ? picture::Image{} : picture::read_image(image));
   return painted;
 }
 
@@ -110,9 +111,10 @@ void add_render(CLI::App& app, Request& request) {
                   "Draw this alternative instead of the best map")
       ->type_name("K");
   command
-      .add_option("--textures", arguments->textures,
-                  "Draw these textures instead: SOURCE, and the TARGET that `transfer` made; PNG "
-                  "images, a checkerboard without")
+      .add_option(
+          "--textures", arguments->textures,
+          "Draw these textures instead: SOURCE, and the TARGET that `transfer` made; PNG or "
+          "JPEG images, a checkerboard without")
       ->type_name("OBJ")
       ->expected(2);
   command.add_option("--source", arguments->places.source, "The source mesh, if it was moved");

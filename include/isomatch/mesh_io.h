@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "isomatch/mesh.h"
 
@@ -15,6 +16,9 @@ struct MeshReadReport {
   /// STL only: corners of triangles that share a vertex with an earlier corner, because their
   /// positions are exactly equal (-0 equals 0).
   int merged_vertices = 0;
+  /// What was left out or had to be guessed, a sentence each without the file's name; what happens
+  /// often is told once, with its number.
+  std::vector<std::string> warnings;
 };
 
 /// Reads a triangle mesh and reports to `report`, unless it is null. The file name's ending tells
@@ -30,16 +34,17 @@ struct MeshReadReport {
 ///   first mesh all triangles, strips and fans, moved by the transforms of the nodes above it;
 ///   parts that share their positions share vertices. Not read: files compressed by Draco or by
 ///   meshopt.
-/// - .mat: a shape in a MATLAB file of level 5, as in TOSCA: matrices X, Y, Z and TRIV, or VERT and
-///   TRIV, as fields of a struct or by themselves; TRIV counts vertices from one.
+/// - .mat: the one shape in a MATLAB file of level 5: matrices X, Y, Z or VERT, and TRIV, as in
+///   TOSCA, or vertices and faces, as fields of a struct, within others or not, or by themselves.
+///   TRIV and faces count vertices from one. Files of several shapes are refused.
 ///
 /// Vertices keep the file's order and number. Only STL has no vertices of its own: it gets one for
 /// each distinct position, in order of first appearance. Faces keep the file's order too.
 ///
 /// Throws `BadFile` for a file that is missing, empty, truncated, malformed, or longer than it
-/// announces, for an index out of range, a coordinate that is not finite, a face of fewer than
-/// three corners, and for a mesh without vertices or faces. The message names the line in text
-/// formats and the byte, from 0, in binary ones. What is returned passes `validate`.
+/// announces (.ply: a warning), for an index out of range, a coordinate that is not finite, a face
+/// of fewer than three corners, and for a mesh without vertices or faces. The message names the
+/// line in text formats and the byte, from 0, in binary ones. What is returned passes `validate`.
 ///
 /// O(N). Numbers do not depend on the locale. Memory stays within a small multiple of the file's
 /// size (of what it unpacks to, where it is compressed), whatever the file announces.

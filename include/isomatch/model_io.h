@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "isomatch/mesh.h"
+#include "isomatch/mesh_io.h"
 #include "isomatch/texture.h"
 #include "isomatch/texture_io.h"
 
@@ -33,11 +34,11 @@ struct Model {
 /// not finite. O(N).
 void validate(const Model& model);
 
-/// Reads a mesh file of any format and what it has of:
+/// Reads a mesh file of any format, reports to `report` unless it is null, and what it has of:
 /// - colours: .ply, and .glb and .gltf (converted from linear intensities to sRGB);
 /// - texture coordinates and names of materials: .obj, .glb, .gltf;
 /// - poses: morph targets of .glb and .gltf.
-Model read_model(const std::string& path);
+Model read_model(const std::string& path, MeshReadReport* report = nullptr);
 
 /// Writes a mesh file of any format that can be written, and what the format has room for:
 /// - .ply: colours;

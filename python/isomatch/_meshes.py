@@ -118,7 +118,8 @@ class Shape:
 
     @property
     def warnings(self) -> List[str]:
-        """A sentence for each defect of the mesh that matching works around."""
+        """A sentence for each thing that reading the file left out, and for each defect of the
+        mesh that matching works around."""
         return self._core.warnings
 
     def diagnosis(self) -> Dict[str, Any]:

@@ -77,7 +77,13 @@ void bind_meshes(py::module_& module) {
                                return result;
                              })
       .def_property_readonly(
-          "warnings", [](const PreparedMesh& shape) { return shape.input().diagnosis.warnings(); })
+          "warnings",
+          [](const PreparedMesh& shape) {
+            std::vector<std::string> warnings = shape.input().read_report.warnings;
+            const std::vector<std::string> defects = shape.input().diagnosis.warnings();
+            warnings.insert(warnings.end(), defects.begin(), defects.end());
+            return warnings;
+          })
       .def("diagnosis_json",
            [](const PreparedMesh& shape) { return cli::to_json(shape.input().diagnosis).dump(); });
   module.def("load_shape", load_shape);

@@ -38,7 +38,10 @@ py::dict read(const std::string& path) {
 void write(const std::string& path, const py::tuple& parts, const std::string& library) {
   const TexturedMesh textured = to_textured(parts);
   const py::gil_scoped_release release;
-  write_textured_mesh(path, textured, library);
+  if (library.empty())
+    write_textured_mesh(path, textured);
+  else
+    write_textured_mesh(path, textured, {library});
 }
 
 }  // namespace

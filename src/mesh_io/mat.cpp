@@ -11,6 +11,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "isomatch/error.h"
 #include "mesh_io/checks.h"
@@ -22,24 +24,72 @@ namespace {
 
 using Arrays = std::map<std::string_view, const MatArray*>;
 
-bool is_shape(const Arrays& arrays) {
-  const bool has_points = arrays.contains("VERT") ||
-                          (arrays.contains("X") && arrays.contains("Y") && arrays.contains("Z"));
-  return has_points && arrays.contains("TRIV");
+constexpr std::array<std::string_view, 2> kPointNames = {"VERT", "vertices"};
+constexpr std::array<std::string_view, 2> kCornerNames = {"TRIV", "faces"};
+constexpr std::size_t kMostNames = 6;
+
+/// The first of `names` that is there, empty if none is.
+std::string_view present(const Arrays& arrays, std::span<const std::string_view> names) {
+  for (const std::string_view name : names)
+    if (arrays.contains(name)) return name;
+  return {};
 }
 
-/// The arrays of the first struct that is a shape, or else those at top level.
+bool has_axes(const Arrays& arrays) {
+  return arrays.contains("X") && arrays.contains("Y") && arrays.contains("Z");
+}
+
+bool is_shape(const Arrays& arrays) {
+  return (!present(arrays, kPointNames).empty() || has_axes(arrays)) &&
+         !present(arrays, kCornerNames).empty();
+}
+
+struct NamedShape {
+  /// How MATLAB calls the struct; empty if it is no struct.
+  std::string name;
+  Arrays arrays;
+};
+
+std::string field_name(const std::string& of, const std::string& field) {
+  return of.empty() || field.starts_with('(') ? of + field : of + "." + field;
+}
+
+/// Appends all shapes among `variables`, which are the fields of `name`, and further inside.
+void collect_shapes(const std::string& name, const std::vector<MatVariable>& variables,
+                    std::vector<NamedShape>& shapes) {
+  Arrays arrays;
+  for (const MatVariable& variable : variables)
+    if (variable.array) arrays[variable.name] = &*variable.array;
+  if (is_shape(arrays)) shapes.push_back({name, std::move(arrays)});
+  for (const MatVariable& variable : variables)
+    collect_shapes(field_name(name, variable.name), variable.fields, shapes);
+}
+
+std::string shown_name(const std::string& name) {
+  if (name.empty()) return "the variables by themselves";
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.()";
+  return name.find_first_not_of(kPlain) == std::string::npos ? name : in_quotes(name);
+}
+
+std::string list(const std::vector<NamedShape>& shapes) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(shapes.size(), kMostNames); ++i)
+    names += (i == 0 ? "" : ", ") + shown_name(shapes[i].name);
+  return shapes.size() > kMostNames ? names + ", ..." : names;
+}
+
 Arrays find_shape(const InputFile& file, const std::vector<MatVariable>& variables) {
-  Arrays top_level;
-  for (const MatVariable& variable : variables) {
-    if (variable.array) top_level[variable.name] = &*variable.array;
-    Arrays fields;
-    for (const auto& [name, array] : variable.fields) fields[name] = &array;
-    if (is_shape(fields)) return fields;
-  }
-  if (!is_shape(top_level))
-    file.fail("has no shape: X, Y, Z and TRIV, or VERT and TRIV, by themselves or in a struct");
-  return top_level;
+  std::vector<NamedShape> shapes;
+  collect_shapes("", variables, shapes);
+  if (shapes.empty())
+    file.fail(
+        "has no shape: X, Y, Z, or VERT, or vertices, with TRIV or faces, by themselves or in a "
+        "struct");
+  if (shapes.size() > 1)
+    file.fail(
+        fmt::format("has {} shapes: {}; save one of them by itself", shapes.size(), list(shapes)));
+  return std::move(shapes.front().arrays);
 }
 
 /// Matrices of three columns, or else of three rows, read as so many triples.
@@ -75,20 +125,30 @@ std::vector<Point> joined(const InputFile& file, const Arrays& arrays) {
 }
 
 std::vector<Point> points_of(const InputFile& file, const Arrays& arrays) {
-  const auto found = arrays.find("VERT");
-  if (found == arrays.end()) return joined(file, arrays);
-  const Triples triples(file, "VERT", *found->second);
+  const std::string_view name = present(arrays, kPointNames);
+  if (name.empty()) return joined(file, arrays);
+  const Triples triples(file, name, *arrays.at(name));
   std::vector<Point> points(triples.size());
   for (int v = 0; v < triples.size(); ++v)
     for (int k = 0; k < 3; ++k) points[v][k] = checked_coordinate(file, triples(v, k));
   return points;
 }
 
-int vertex(const InputFile& file, double number, std::size_t vertices) {
-  if (!(number >= 1 && number <= static_cast<double>(vertices)) || std::floor(number) != number)
-    file.fail(fmt::format("vertex {} in TRIV is out of range, there are {} vertices counted from 1",
-                          number, vertices));
-  return static_cast<int>(number) - 1;
+std::vector<Face> faces_of(const InputFile& file, const Arrays& arrays, std::size_t vertices) {
+  const std::string_view name = present(arrays, kCornerNames);
+  const Triples triples(file, name, *arrays.at(name));
+  std::vector<Face> faces(triples.size());
+  for (int f = 0; f < triples.size(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const double number = triples(f, k);
+      if (!(number >= 1 && number <= static_cast<double>(vertices)) || std::floor(number) != number)
+        file.fail(
+            fmt::format("vertex {} in {} is out of range, there are {} vertices counted from 1",
+                        number, name, vertices));
+      faces[f][k] = static_cast<int>(number) - 1;
+    }
+  }
+  return faces;
 }
 
 /// The bytes of elements in the machine's own byte order, of which the header tells.
@@ -184,11 +244,7 @@ ReadResult read_mat(const InputFile& file) {
   const Arrays arrays = find_shape(file, variables);
   ReadResult result;
   result.mesh.vertices = points_of(file, arrays);
-  const Triples triples(file, "TRIV", *arrays.at("TRIV"));
-  result.mesh.faces.resize(triples.size());
-  for (int f = 0; f < triples.size(); ++f)
-    for (int k = 0; k < 3; ++k)
-      result.mesh.faces[f][k] = vertex(file, triples(f, k), result.mesh.vertices.size());
+  result.mesh.faces = faces_of(file, arrays, result.mesh.vertices.size());
   return result;
 }
 

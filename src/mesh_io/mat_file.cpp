@@ -18,6 +18,8 @@ namespace isomatch::mesh_io {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 128, kTagBytes = 8;
+/// Bounds the recursion.
+constexpr int kDeepestStruct = 8;
 
 std::size_t size_of(std::uint32_t type) {
   switch (type) {
@@ -176,24 +178,39 @@ std::vector<std::string> take_field_names(MatCursor& cursor) {
   return result;
 }
 
-void take_fields(MatCursor& cursor, MatVariable& variable) {
-  for (const std::string& name : take_field_names(cursor)) {
-    // An empty array of structs has none.
-    if (cursor.at_end()) return;
+MatVariable take_variable(MatCursor cursor, int depth = 0);
+
+/// The fields of one struct; none of an empty array of structs, which has names only.
+std::vector<MatVariable> take_fields(MatCursor& cursor, const std::vector<std::string>& names,
+                                     int depth) {
+  std::vector<MatVariable> fields;
+  for (const std::string& name : names) {
+    if (cursor.at_end()) break;
     const Element element = cursor.take();
     if (element.type != kMatrix) cursor.fail("malformed: a field is no array");
     if (element.data.empty()) continue;
-    MatCursor inside = cursor.inside(element.data);
-    const ArrayHead head = take_head(inside);
-    if (auto array = take_array(inside, head))
-      variable.fields.emplace_back(name, std::move(*array));
+    fields.push_back(take_variable(cursor.inside(element.data), depth + 1));
+    fields.back().name = name;
   }
+  return fields;
 }
 
-MatVariable take_variable(MatCursor cursor) {
+std::vector<MatVariable> take_structs(MatCursor& cursor, int depth) {
+  const std::vector<std::string> names = take_field_names(cursor);
+  std::vector<MatVariable> structs;
+  do {
+    structs.push_back(
+        {fmt::format("({})", structs.size() + 1), {}, take_fields(cursor, names, depth)});
+  } while (!names.empty() && !cursor.at_end());
+  if (structs.size() == 1) return std::move(structs.front().fields);
+  return structs;
+}
+
+MatVariable take_variable(MatCursor cursor, int depth) {
   const ArrayHead head = take_head(cursor);
   MatVariable variable{head.name, take_array(cursor, head), {}};
-  if (head.array_class == kStructClass) take_fields(cursor, variable);
+  if (head.array_class == kStructClass && depth <= kDeepestStruct)
+    variable.fields = take_structs(cursor, depth);
   return variable;
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "input_file.h"
@@ -38,18 +37,19 @@ struct MatArray {
   std::vector<double> values;
 };
 
-/// A variable that is a matrix of numbers, a struct, or something else, which is passed over. Of an
-/// array of structs it is the first one.
+/// A variable or a field: a matrix of numbers, of complex ones the real parts, a struct, or
+/// something else, which is passed over.
 struct MatVariable {
   std::string name;
   std::optional<MatArray> array;
-  /// The fields that are matrices of numbers; of complex ones the real parts.
-  std::vector<std::pair<std::string, MatArray>> fields;
+  /// Of a struct. An array of several structs has them for fields, called "(1)", "(2)" and so on.
+  std::vector<MatVariable> fields;
 };
 
 /// The variables of a MATLAB file of level 5, compressed or not, in either byte order. Throws
-/// `BadFile` if it is malformed or of another level. Memory stays within a small multiple of the
-/// uncompressed content, of which deflate can make a thousandth.
+/// `BadFile` if it is malformed or of another level. Structs nested deeper than a few levels are
+/// passed over. Memory stays within a small multiple of the uncompressed content, of which deflate
+/// can make a thousandth.
 std::vector<MatVariable> read_mat_variables(const InputFile& file);
 
 }  // namespace isomatch::mesh_io

@@ -78,7 +78,7 @@ Mesh read_mesh(const std::string& path, MeshReadReport* report) {
   const Format& format = format_of(path);
   mesh_io::ReadResult result = format.read(file);
   mesh_io::check_size(result.mesh, file);
-  if (report) *report = result.report;
+  if (report) *report = std::move(result.report);
   return std::move(result.mesh);
 }
 

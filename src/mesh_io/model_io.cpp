@@ -62,12 +62,13 @@ void validate(const Model& model) {
   }
 }
 
-Model read_model(const std::string& path) {
+Model read_model(const std::string& path, MeshReadReport* report) {
   const Read read = reader_of(path);
-  if (!read) return {read_mesh(path), {}, {}, {}};
+  if (!read) return {read_mesh(path, report), {}, {}, {}};
   const InputFile file(path);
   mesh_io::ReadResult result = read(file);
   mesh_io::check_size(result.mesh, file);
+  if (report) *report = std::move(result.report);
   Model model{std::move(result.mesh), std::move(result.colors), std::move(result.texture),
               std::move(result.poses)};
   drop_empty_texture(model);
@@ -84,7 +85,7 @@ void write_model(const std::string& path, const Model& model) {
   } else if (ends_with(path, ".ply") && !model.colors.empty()) {
     write_colored_mesh(path, model.mesh, model.colors);
   } else if (ends_with(path, ".obj") && !model.texture.corners.empty()) {
-    write_textured_mesh(path, {model.mesh, model.texture}, "");
+    write_textured_mesh(path, {model.mesh, model.texture});
   } else {
     write_mesh(path, model.mesh);
   }

@@ -49,7 +49,7 @@ class ObjReader {
       else if (textured_ && keyword == "vt")
         read_coordinates();
       else if (textured_ && keyword == "usemtl")
-        use_material(cursor_.word());
+        use_material(cursor_.rest_of_line());
       cursor_.skip_line();
     }
     check_highest_index();
@@ -77,10 +77,12 @@ class ObjReader {
     result_.texture.coordinates.emplace_back(u, cursor_.at_line_end() ? 0 : cursor_.number());
   }
 
-  void use_material(std::string_view name) {
+  void use_material(const std::string& name) {
+    material_ = Texture::kNone;
+    if (name.empty()) return;
     std::vector<std::string>& names = result_.texture.materials;
     material_ = static_cast<int>(std::ranges::find(names, name) - names.begin());
-    if (material_ == std::ssize(names)) names.emplace_back(name);
+    if (material_ == std::ssize(names)) names.push_back(name);
   }
 
   /// The texture coordinates of a corner v/vt or v/vt/vn.

@@ -13,6 +13,7 @@
 #include "mesh_io/checks.h"
 #include "mesh_io/formats.h"
 #include "mesh_io/ply_body.h"
+#include "mesh_io/ply_colors.h"
 #include "mesh_io/ply_header.h"
 #include "mesh_io/polygon.h"
 
@@ -35,8 +36,10 @@ class PlyReader {
 
   /// Reads vertex colours besides, if there are any.
   ReadResult read_with_colors() {
-    if (const PlyElement* vertex = header_->find("vertex")) color_channels_ = channels_of(*vertex);
-    return read();
+    if (const PlyElement* vertex = header_->find("vertex")) colors_ = PlyColors(*vertex);
+    ReadResult result = read();
+    if (!colors_.empty()) result.colors = colors_.take(*file_);
+    return result;
   }
 
   ReadResult read() {
@@ -50,7 +53,8 @@ class PlyReader {
       else
         read_lists(element, kNoList, [](std::int64_t, PlyType) {});
     }
-    body_.expect_end();
+    if (!body_.at_end())
+      result_.report.warnings.emplace_back("more follows than the file announces; it is left out");
     return std::move(result_);
   }
 
@@ -64,42 +68,24 @@ class PlyReader {
       Point point;
       Eigen::Vector3d color = Eigen::Vector3d::Zero();
       for (std::size_t k = 0; k < axes.size(); ++k) {
-        if (axes[k] == kNoAxis && channel(k) != kNoAxis)
-          color[channel(k)] = read_intensity(element.properties[k].type);
-        else if (axes[k] == kNoAxis)
-          skip(element.properties[k]);
+        const PlyType type = element.properties[k].type;
+        if (axes[k] != kNoAxis)
+          point[axes[k]] = checked_coordinate(body_, body_.scalar(type));
+        else if (colors_.channel(k) != PlyColors::kNoChannel)
+          color[colors_.channel(k)] = checked_intensity(type);
         else
-          point[axes[k]] = checked_coordinate(body_, body_.scalar(element.properties[k].type));
+          skip(element.properties[k]);
       }
       body_.end_element();
       result_.mesh.vertices.push_back(point);
-      if (!color_channels_.empty()) result_.colors.push_back(color);
+      if (!colors_.empty()) colors_.add(color);
     }
   }
 
-  int channel(std::size_t property) const {
-    return color_channels_.empty() ? kNoAxis : color_channels_[property];
-  }
-
-  double read_intensity(PlyType type) {
-    const double value = checked_coordinate(body_, body_.scalar(type));
-    if (type == PlyType::kUint8) return value / 255;
-    return type == PlyType::kUint16 ? value / 65535 : value;
-  }
-
-  /// For each property of the vertices 0, 1, 2 for red, green, blue, or kNoAxis; empty unless all
-  /// of them are there.
-  static std::vector<int> channels_of(const PlyElement& element) {
-    constexpr std::array<std::string_view, 3> kNames = {"red", "green", "blue"};
-    std::vector<int> channels;
-    for (const PlyProperty& property : element.properties) {
-      const auto name = std::ranges::find(kNames, property.name);
-      const bool is_channel = name != kNames.end() && !property.count_type;
-      channels.push_back(is_channel ? static_cast<int>(name - kNames.begin()) : kNoAxis);
-    }
-    for (int k = 0; k < 3; ++k)
-      if (std::ranges::count(channels, k) != 1) return {};
-    return channels;
+  double checked_intensity(PlyType type) {
+    const double value = body_.scalar(type);
+    if (!std::isfinite(value)) body_.fail(fmt::format("the colour {} is not finite", value));
+    return value;
   }
 
   void read_faces(const PlyElement& element) {
@@ -210,8 +196,8 @@ class PlyReader {
   const PlyHeader* header_;
   Body body_;
   int num_vertices_ = 0;
-  /// As `channels_of` says; empty if colours are not read.
-  std::vector<int> color_channels_;
+  /// Empty if colours are not read.
+  PlyColors colors_;
   ReadResult result_;
 };
 

@@ -34,20 +34,18 @@ class AsciiPlyBody {
     cursor_.skip_line();
   }
 
-  /// The next value.
+  /// The next value. Some programs write 200.0 for an integer.
   double scalar(PlyType type) {
     const bool floating = type == PlyType::kFloat32 || type == PlyType::kFloat64;
-    return floating ? cursor_.number() : static_cast<double>(cursor_.integer());
+    return floating ? cursor_.number() : cursor_.whole_number();
   }
   /// Passes over `count` values. What they are is not looked at: normals may well be nan.
   void skip(PlyType, std::int64_t count) {
     for (std::int64_t i = 0; i < count; ++i)
       if (cursor_.word().empty()) cursor_.fail("expected more values, but the line ends");
   }
-  /// Fails unless all of the file has been read.
-  void expect_end() {
-    if (cursor_.find_content()) cursor_.fail("more lines follow than the file announces");
-  }
+  /// Whether all of the file has been read, but for blank lines.
+  bool at_end() { return !cursor_.find_content(); }
   /// Throws `BadFile` with the place of the last value.
   [[noreturn]] void fail(const std::string& reason) const { cursor_.fail(reason); }
 
@@ -86,7 +84,7 @@ class BinaryPlyBody {
   }
 
   void skip(PlyType type, std::int64_t count) { cursor_.skip(ply_size(type), count); }
-  void expect_end() { cursor_.expect_end(); }
+  bool at_end() const { return cursor_.remaining() == 0; }
   [[noreturn]] void fail(const std::string& reason) const { cursor_.fail(reason); }
 
  private:

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <gmock/gmock.h>
+#include <turbojpeg.h>
 
+#include <array>
 #include <filesystem>
+#include <memory>
 
 #include "isomatch/texture_io.h"
 #include "match_program.h"
@@ -88,7 +91,7 @@ class RenderTextures : public Render {
     source.texture.corners.assign(source_.faces.size(), {0, 1, 2});
     source.texture.materials = {"fur"};
     source.texture.face_material.assign(source_.faces.size(), 0);
-    write_textured_mesh(path("source.obj"), source, "");
+    write_textured_mesh(path("source.obj"), source);
     const Outcome outcome = run({"transfer", path("out"), "--texture", path("source.obj"), "-o",
                                  path("target.obj"), "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
@@ -120,11 +123,61 @@ TEST_F(RenderTextures, OfAnotherMeshAreRefused) {
               HasSubstr("does not begin with the vertices"));
 }
 
-TEST_F(RenderTextures, AnImageThatIsNoPngIsNamed) {
+TEST_F(RenderTextures, AFileThatIsNoImageIsNamed) {
   folder_.write("source.mtl", "newmtl fur\nmap_Kd fur.png\n");
   folder_.write("fur.png", "no picture");
   folder_.write("source.obj", "mtllib source.mtl\n" + bytes("source.obj"));
-  EXPECT_THAT(refusal(textures()), HasSubstr("fur.png"));
+  EXPECT_THAT(refusal(textures()), HasSubstr("fur.png: is neither a PNG nor a JPEG image"));
+}
+
+/// A JPEG file: one red pixel.
+std::string red_jpeg() {
+  const std::array<unsigned char, 3> red{255, 0, 0};
+  const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitCompress(), tjDestroy);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  EXPECT_EQ(tjCompress2(handle.get(), red.data(), 1, 0, 1, TJPF_RGB, &bytes, &size, TJSAMP_444, 90,
+                        TJFLAG_PROGRESSIVE),
+            0);
+  std::string file(reinterpret_cast<char*>(bytes), size);
+  tjFree(bytes);
+  return file;
+}
+
+TEST_F(RenderTextures, JpegsAreDrawnWhateverTheirName) {
+  ASSERT_EQ(render(textures()).exit_code, 0);
+  const std::string checkerboard = bytes("picture.png");
+  fs::create_directory(path("tex"));
+  folder_.write("tex/my fur.png", red_jpeg());
+  folder_.write("source.mtl", "newmtl fur\nmap_Kd tex\\my fur.png\n");
+  folder_.write("source.obj", "mtllib source.mtl\n" + bytes("source.obj"));
+  const Outcome outcome = render(textures());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_NE(bytes("picture.png"), checkerboard);
+
+  folder_.write("tex/my fur.png", red_jpeg().substr(0, 300));
+  fs::remove(path("picture.png"));
+  EXPECT_THAT(refusal(textures()), HasSubstr("my fur.png: is a damaged JPEG image"));
+}
+
+TEST_F(RenderTextures, WhatIsNotThereIsACheckerboard) {
+  ASSERT_EQ(render(textures()).exit_code, 0);
+  const std::string checkerboard = bytes("picture.png");
+  const std::string source = bytes("source.obj");
+  folder_.write("source.obj", "mtllib no such.mtl\n" + source);
+  EXPECT_THAT(render(textures()).errors,
+              HasSubstr("files of materials that are not there: no such.mtl\n"));
+  EXPECT_EQ(bytes("picture.png"), checkerboard);
+
+  folder_.write("source.mtl", "newmtl fur\nmap_Kd no fur.png\n");
+  folder_.write("source.obj", "mtllib source.mtl\n" + source);
+  EXPECT_THAT(render(textures()).errors, HasSubstr("images that are not there: no fur.png\n"));
+  EXPECT_EQ(bytes("picture.png"), checkerboard);
+
+  folder_.write("source.mtl", "newmtl Fur\nmap_Kd fur.png\n");
+  EXPECT_THAT(render(textures()).errors,
+              HasSubstr("materials that are in none of its files: fur\n"));
 }
 
 TEST_F(Render, BadOptionsAreRefused) {

@@ -137,18 +137,45 @@ TEST_F(Transfer, SkinningWeightsSumToOne) {
   EXPECT_EQ(carried[kExtraVertices], weights[0]);
 }
 
-TEST_F(Transfer, TexturesUseTheirImagesFromWhereTheyAre) {
-  TexturedMesh textured{source_, {}};
-  textured.texture.coordinates = {{0, 0}, {1, 0}, {0, 1}};
-  textured.texture.corners.assign(source_.faces.size(), {0, 1, 2});
-  textured.texture.materials = {"fur"};
-  textured.texture.face_material.assign(source_.faces.size(), 0);
-  fs::create_directory(path("art"));
-  write_textured_mesh(path("art/source.obj"), textured, "source.mtl");
-  folder_.write("art/my fur.png", "not looked at");
-  folder_.write("art/source.mtl", "newmtl fur\nKd 1 1 1\nmap_Kd -s 1 1 1 my fur.png\n");
-  expect_carried({"--texture", path("art/source.obj"), "--keep-faces"}, "carried.obj");
+class TransferTexture : public Transfer {
+ protected:
+  void SetUp() override {
+    Transfer::SetUp();
+    fs::create_directories(path("art/tex"));
+    for (const char* image : {"my fur.png", "skin#2.jpg", "tex/low.png"})
+      folder_.write("art/" + std::string(image), "not looked at");
+  }
+
+  /// Writes art/source.obj: half of the faces have the one, half the other material.
+  void write_source(const std::string& first, const std::string& second,
+                    const std::vector<std::string>& libraries = {"source.mtl"}) const {
+    TexturedMesh textured{source_, {}};
+    textured.texture.coordinates = {{0, 0}, {1, 0}, {0, 1}};
+    textured.texture.corners.assign(source_.faces.size(), {0, 1, 2});
+    textured.texture.materials = {first, second};
+    for (int f = 0; f < source_.num_faces(); ++f)
+      textured.texture.face_material.push_back(f < source_.num_faces() / 2 ? 0 : 1);
+    write_textured_mesh(path("art/source.obj"), textured, libraries);
+  }
+
+  /// What is said on standard error of the texture that becomes `output`.
+  std::string warnings(const std::string& output) const {
+    const Outcome outcome = carry({"--texture", path("art/source.obj"), "--keep-faces"}, output);
+    EXPECT_EQ(outcome.exit_code, 0);
+    return outcome.errors;
+  }
+};
+
+TEST_F(TransferTexture, UsesImagesFromWhereTheyAre) {
+  write_source("fur", "skin");
+  folder_.write("art/source.mtl",
+                "newmtl fur\nKd 1 1 1\nmap_Kd -s 1 1 1 my fur.png\r\n"
+                "newmtl skin\nmap_Kd -bm 0.5 -clamp on skin#2.jpg # of May\nbump tex\\low.png");
+  EXPECT_EQ(warnings("carried.obj"), "");
   EXPECT_THAT(bytes("carried.mtl"), HasSubstr("map_Kd -s 1 1 1 art/my fur.png\n"));
+  EXPECT_THAT(bytes("carried.mtl"),
+              HasSubstr("map_Kd -bm 0.5 -clamp on art/skin#2.jpg # of May\n"));
+  EXPECT_THAT(bytes("carried.mtl"), HasSubstr("bump art/tex/low.png\n"));
   const TexturedMesh carried = read_textured_mesh(path("carried.obj"));
   EXPECT_EQ(carried.mesh.faces, copy_.faces);
   EXPECT_FALSE(carried.texture.covers(0));
@@ -157,8 +184,44 @@ TEST_F(Transfer, TexturesUseTheirImagesFromWhereTheyAre) {
   expect_carried({"--texture", path("art/source.obj"), "--image", path("art/my fur.png")},
                  "again.obj");
   EXPECT_THAT(bytes("again.mtl"), HasSubstr("map_Kd art/my fur.png\n"));
-  fs::remove(path("art/source.mtl"));
-  EXPECT_THAT(refusal({"--texture", path("art/source.obj")}), HasSubstr("source.mtl"));
+}
+
+TEST_F(TransferTexture, NamesWithBlanksAndSignsStayWhole) {
+  write_source("Body Upper", "Body #2", {"my # file.mtl", "more.mtl"});
+  folder_.write("art/my # file.mtl", "newmtl Body Upper\nmap_Kd my fur.png\n");
+  folder_.write("art/more.mtl", "newmtl Body #2\nKd 1 0 0\nnewmtl Body Upper\nKd 0 0 1\n");
+  EXPECT_EQ(warnings("my #out.obj"), "");
+  EXPECT_THAT(read_textured_mesh(path("my #out.obj")).texture.materials,
+              testing::UnorderedElementsAre("Body Upper", "Body #2"));
+  // The first file that has a material counts.
+  EXPECT_EQ(bytes("my #out.mtl"),
+            "newmtl Body Upper\nmap_Kd art/my fur.png\nnewmtl Body #2\nKd 1 0 0\n"
+            "newmtl none\nKd 0.5 0.5 0.5\n");
+}
+
+TEST_F(TransferTexture, MissingImagesKeepTheirNames) {
+  write_source("fur", "skin");
+  const std::string material =
+      "newmtl fur\nmap_Kd my my fur.png\nmap_Ks -s 1 1 1 C:\\Users\\me\\My Scans\\my fur.png\n"
+      "newmtl skin\nKd 1 1 1\n";
+  folder_.write("art/source.mtl", material);
+  EXPECT_EQ(
+      warnings("carried.obj"),
+      "warning: " + path("art/source.mtl") +
+          ": images that are not there: C:\\Users\\me\\My Scans\\my fur.png, my my fur.png\n");
+  EXPECT_THAT(bytes("carried.mtl"), testing::StartsWith(material));
+  EXPECT_TRUE(read_textured_mesh(path("carried.obj")).texture.covers(kExtraVertices));
+}
+
+TEST_F(TransferTexture, MissingLibrariesKeepTheirNames) {
+  write_source("fur", "skin", {"source.mtl", "D:\\no such.mtl"});
+  folder_.write("art/source.mtl", "newmtl fur\nKd 1 1 1\n");
+  EXPECT_EQ(warnings("carried.obj"),
+            "warning: " + path("art/source.obj") +
+                ": files of materials that are not there: D:\\no such.mtl\n");
+  EXPECT_THAT(material_libraries(path("carried.obj")),
+              testing::ElementsAre("carried.mtl", "D:\\no such.mtl"));
+  EXPECT_THAT(bytes("carried.mtl"), testing::StartsWith("newmtl fur\nKd 1 1 1\nnewmtl none\n"));
 }
 
 TEST_F(Transfer, PosesGoIntoAFolder) {

@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "support/mesh_files.h"
@@ -54,7 +55,9 @@ std::string MatWriter::structure(std::string_view name, const std::vector<std::s
   const std::uint32_t tag = 4U << 16 | 5U;
   std::string content = bytes<std::uint32_t>(order_, {tag, 32}) + element(1, names);
   for (const std::string& field : fields) content += field;
-  return array(2, 1, 1, name, content);
+  const int columns =
+      static_cast<int>(fields.size() / std::max<std::size_t>(field_names.size(), 1));
+  return array(2, 1, columns, name, content);
 }
 
 std::string MatWriter::compressed(const std::string& variable) const {

@@ -23,7 +23,7 @@ class MatWriter {
   /// The same stored in bytes, as MATLAB does with small integers.
   std::string byte_matrix(std::string_view name, int rows, int columns,
                           const std::vector<double>& values) const;
-  /// A struct of one element. `fields` are arrays without name.
+  /// A struct. `fields` are arrays without name; more than there are names make a row of structs.
   std::string structure(std::string_view name, const std::vector<std::string>& field_names,
                         const std::vector<std::string>& fields) const;
   std::string compressed(const std::string& variable) const;

@@ -39,7 +39,7 @@ TEST(Png, IsReadAsItWasWritten) {
   const std::string path = folder.path("picture.png");
   const Image image{2, 2, {{1, 0, 0}, {0, 1, 0}, {0.2158605F, 0, 1}, {1, 1, 1}}};
   write_png(path, image);
-  const Image read = read_png(path);
+  const Image read = read_image(path);
   EXPECT_EQ(read.width, 2);
   EXPECT_EQ(read.height, 2);
   ASSERT_EQ(read.pixels.size(), 4U);
@@ -48,9 +48,9 @@ TEST(Png, IsReadAsItWasWritten) {
 
 TEST(Png, WhatCannotBeReadIsNamed) {
   const test::TemporaryFolder folder;
-  EXPECT_THROW(read_png(folder.path("absent.png")), BadFile);
+  EXPECT_THROW(read_image(folder.path("absent.png")), BadFile);
   folder.write("text.png", "no picture");
-  EXPECT_THROW(read_png(folder.path("text.png")), BadFile);
+  EXPECT_THROW(read_image(folder.path("text.png")), BadFile);
 }
 
 TEST(Png, AFolderThatIsNotThereIsNamed) {

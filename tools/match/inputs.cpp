@@ -60,6 +60,9 @@ MatchInputs load_inputs(const MatchArguments& arguments, const Context& context)
     for_both(context, work);
   };
   timed("reading", 0, [&](int side) { *both[side] = read(paths[side]); });
+  // In one order, although both were read at once.
+  for (const MatchInput* input : both)
+    for (const std::string& warning : input->read_report.warnings) warn(input->path, warning);
   timed("diagnosis", kLoaded / 4, [&](int side) { inspect_input(*both[side]); });
   return inputs;
 }

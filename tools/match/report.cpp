@@ -12,7 +12,8 @@ namespace {
 Json input_json(const MatchInput& input) {
   Json json{{"file", input.path},
             {"triangulated_polygons", input.read_report.triangulated_polygons},
-            {"merged_vertices", input.read_report.merged_vertices}};
+            {"merged_vertices", input.read_report.merged_vertices},
+            {"read_warnings", input.read_report.warnings}};
   json.update(to_json(input.diagnosis));
   return json;
 }

@@ -25,9 +25,11 @@ unsigned char srgb_byte(float linear);
 /// The linear intensity of an sRGB byte.
 float linear_intensity(unsigned char srgb);
 
-/// Reads a PNG of any kind; what is transparent is white behind. Throws `BadFile` if it is missing
-/// or no sound PNG.
-Image read_png(const std::string& path);
+/// Reads a PNG or JPEG image of any kind, which its content tells, not its name. What is
+/// transparent is white behind; CMYK is taken as Adobe writes it, without profile. Throws `BadFile`
+/// if it is missing, of another kind, or not sound. Memory stays within what a sound file of its
+/// size can need.
+Image read_image(const std::string& path);
 
 /// Writes `image` as an sRGB PNG of 8 bits a channel. The file appears whole or not at all. Throws
 /// `BadFile` if it cannot be written.

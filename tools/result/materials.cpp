@@ -4,76 +4,111 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
-#include <sstream>
+#include <string_view>
 
 #include "isomatch/error.h"
 #include "isomatch/texture_io.h"
+#include "load.h"
+#include "result/image_line.h"
 
 namespace isomatch::cli {
 namespace {
 
-namespace fs = std::filesystem;
+/// Of images that are not there.
+constexpr std::size_t kMostNames = 3;
 
-constexpr std::string_view kBlanks = " \t\r";
-
-/// Keywords of lines that end with the name of an image.
-bool names_image(const std::string& keyword) {
-  return keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" ||
-         keyword == "decal" || keyword == "refl" || keyword == "norm";
+/// A line ends with \n, \r\n or \r.
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw BadFile(path, "cannot be read");
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  std::size_t at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  std::vector<std::string> lines;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+  }
+  return lines;
 }
 
-std::string first_word(const std::string& line) {
-  std::string word;
-  std::istringstream(line) >> word;
-  return word;
-}
+using Images = std::map<std::string, std::string>;
 
-std::string without_end_blanks(const std::string& text) {
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
-
-void read_images(const fs::path& library, std::map<std::string, std::string>& images) {
-  std::ifstream file(library);
+Images images_of(const MaterialLibrary& library) {
+  Images images;
+  std::set<std::string> missing;
   std::string material;
-  for (std::string line; std::getline(file, line);) {
-    const std::string keyword = first_word(line);
-    if (keyword == "newmtl") {
-      const std::size_t start = line.find_first_not_of(kBlanks, line.find(keyword) + 6);
-      material = start == std::string::npos ? "" : without_end_blanks(line.substr(start));
-    } else if (keyword == "map_Kd") {
-      if (const auto start = image_name_start(line, library.parent_path()))
-        images[material] =
-            (library.parent_path() / without_end_blanks(line.substr(*start))).string();
+  for (const std::string& line : library.lines) {
+    if (const auto name = new_material(line)) {
+      images.try_emplace(material = *name);
+    } else if (keyword_of(line) == "map_Kd") {
+      const auto image = image_line(line, library.path);
+      if (!image) continue;
+      if (image->path.empty()) missing.insert(image->name);
+      images[material] = image->path;
     }
   }
+  warn_of_images(library, missing);
+  return images;
 }
 
 }  // namespace
 
-std::optional<std::size_t> image_name_start(const std::string& line, const fs::path& folder) {
-  const std::string keyword = first_word(line);
-  if (!names_image(keyword)) return std::nullopt;
-  const std::string text = without_end_blanks(line);
-  std::size_t at = text.find_first_not_of(kBlanks, text.find(keyword) + keyword.size());
-  while (at != std::string::npos) {
-    const std::size_t blank = text.find_first_of(kBlanks, at);
-    if (blank == std::string::npos || fs::exists(folder / text.substr(at))) return at;
-    at = text.find_first_not_of(kBlanks, blank);
+std::vector<MaterialLibrary> load_libraries(const std::string& path) {
+  std::vector<MaterialLibrary> libraries;
+  std::set<std::string> missing;
+  for (const std::string& name : material_libraries(path)) {
+    MaterialLibrary& library = libraries.emplace_back(name, find_named_file(name, path));
+    if (library.path.empty())
+      missing.insert(name);
+    else
+      library.lines = lines_of(library.path);
   }
-  return std::nullopt;
+  warn_of_missing(path, "files of materials that are not there", missing);
+  return libraries;
+}
+
+void warn_of_missing(const std::string& path, std::string_view what,
+                     const std::set<std::string>& names) {
+  if (names.empty()) return;
+  std::string list;
+  std::size_t left = kMostNames;
+  for (auto name = names.begin(); name != names.end() && left > 0; ++name, --left)
+    list += (list.empty() ? "" : ", ") + *name;
+  if (names.size() > kMostNames) list += fmt::format(", and {} more", names.size() - kMostNames);
+  warn(path, fmt::format("{}: {}", what, list));
+}
+
+void warn_of_images(const MaterialLibrary& library, const std::set<std::string>& missing) {
+  warn_of_missing(library.path, "images that are not there", missing);
+}
+
+void warn_of_materials(const std::string& path, const std::vector<std::string>& materials,
+                       const std::set<std::string>& known,
+                       const std::vector<MaterialLibrary>& libraries) {
+  const auto is_there = [](const MaterialLibrary& library) { return !library.path.empty(); };
+  if (!std::ranges::all_of(libraries, is_there)) return;
+  // What is made of a mesh without materials has "none" alone.
+  if (known.size() == known.count("none")) return;
+  std::set<std::string> missing;
+  for (const std::string& material : materials)
+    if (!known.contains(material)) missing.insert(material);
+  warn_of_missing(path, "materials that are in none of its files", missing);
 }
 
 std::vector<std::string> material_images(const std::string& path,
                                          const std::vector<std::string>& materials) {
-  std::map<std::string, std::string> images;
-  for (const std::string& name : material_libraries(path)) {
-    const fs::path library = fs::path(path).parent_path() / name;
-    if (!fs::exists(library))
-      throw BadFile(library.string(), fmt::format("cannot be opened; {} names it", path));
-    read_images(library, images);
-  }
+  const std::vector<MaterialLibrary> libraries = load_libraries(path);
+  Images images;
+  for (const MaterialLibrary& library : libraries) images.merge(images_of(library));
+  std::set<std::string> known;
+  for (const auto& [material, image] : images) known.insert(material);
+  warn_of_materials(path, materials, known, libraries);
   std::vector<std::string> result;
   for (const std::string& material : materials) result.push_back(images[material]);
   return result;

@@ -2,22 +2,40 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <filesystem>
-#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Files of materials (.mtl), as far as images go.
 namespace isomatch::cli {
 
-/// Where in a line of a file in `folder` the name of an image begins, if it names one. Options may
-/// stand before the name, and the name may hold blanks: the longest rest of the line that is a file
-/// counts, failing that the last word.
-std::optional<std::size_t> image_name_start(const std::string& line,
-                                            const std::filesystem::path& folder);
+struct MaterialLibrary {
+  /// As the .obj file names it.
+  std::string name;
+  /// Empty if it is not there.
+  std::string path;
+  /// Without line ends.
+  std::vector<std::string> lines;
+};
+
+/// The files of materials that the .obj file `path` names. One that is not there is a warning.
+std::vector<MaterialLibrary> load_libraries(const std::string& path);
+
+/// Warns of what `path` names though it is not there, unless `names` is empty.
+void warn_of_missing(const std::string& path, std::string_view what,
+                     const std::set<std::string>& names);
+/// The same of images that a file of materials names.
+void warn_of_images(const MaterialLibrary& library, const std::set<std::string>& missing);
+/// The same of the materials of the .obj file `path` that are none of `known`, which `libraries`
+/// have, if all of these are there and any has materials.
+void warn_of_materials(const std::string& path, const std::vector<std::string>& materials,
+                       const std::set<std::string>& known,
+                       const std::vector<MaterialLibrary>& libraries);
 
 /// For each of `materials` the image of its colour (`map_Kd`), empty where it has none. The files
-/// are those that the .obj file `path` names. Throws `BadFile` if one is not there.
+/// are those that the .obj file `path` names; the first one that has a material counts. What is not
+/// there, a file, an image or a material, is a warning.
 std::vector<std::string> material_images(const std::string& path,
                                          const std::vector<std::string>& materials);
 

@@ -14,6 +14,7 @@
 #include "isomatch/texture_io.h"
 #include "isomatch/transfer.h"
 #include "isomatch/values_io.h"
+#include "load.h"
 
 namespace isomatch::cli {
 namespace {
@@ -60,7 +61,7 @@ void carry_labels(const TransferJob& job, const TransferArguments& arguments) {
 }
 
 void carry_colors(const TransferJob& job, const TransferArguments& arguments) {
-  const VertexColors colors = read_vertex_colors(arguments.colors);
+  const VertexColors colors = load_vertex_colors(arguments.colors);
   if (std::cmp_not_equal(colors.size(), job.from.num_vertices()))
     throw BadFile(arguments.colors, fmt::format("has {} vertices, but the mesh that was matched {}",
                                                 colors.size(), job.from.num_vertices()));
@@ -94,7 +95,7 @@ void carry_poses(const TransferJob& job, const TransferArguments& arguments) {
                            {.same_rest_pose = arguments.same_rest_pose});
   Mesh pose = job.onto;
   for (const std::string& path : arguments.poses) {
-    const Mesh frame = read_mesh(path);
+    const Mesh frame = load_mesh(path);
     check_same_mesh(path, frame, job.from);
     pose.vertices = carry(frame.vertices);
     create_folder(arguments.output);

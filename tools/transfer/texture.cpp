@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
 #include "isomatch/texture_io.h"
 #include "isomatch/texture_transfer.h"
+#include "load.h"
+#include "result/image_line.h"
 #include "result/materials.h"
 #include "transfer/carry.h"
 
@@ -23,26 +28,52 @@ std::string seen_from(const std::string& output, const fs::path& path) {
   return fs::absolute(path).lexically_normal().lexically_relative(folder).generic_string();
 }
 
-/// A line of a material file in `folder` as one of the file `output`.
-std::string moved_line(const std::string& line, const fs::path& folder, const std::string& output) {
-  const std::optional<std::size_t> start = image_name_start(line, folder);
-  if (!start) return line;
-  const std::string name = line.substr(*start, line.find_last_not_of(" \t\r") + 1 - *start);
-  return line.substr(0, *start) + seen_from(output, folder / name);
+/// A line of a file of materials as one of the file `output`. What is not there keeps its name and
+/// goes into `missing`.
+std::string moved_line(const std::string& line, const MaterialLibrary& library,
+                       const std::string& output, std::set<std::string>& missing) {
+  const std::optional<ImageLine> image = image_line(line, library.path);
+  if (!image) return line;
+  if (!image->path.empty()) return image->before + seen_from(output, image->path) + image->after;
+  missing.insert(image->name);
+  return line;
 }
 
-/// The materials of the texture's own files.
-std::string moved_libraries(const std::string& texture, const std::string& output) {
-  const fs::path folder = fs::path(texture).parent_path();
+/// What becomes of the texture's own files of materials.
+struct MovedMaterials {
   std::string text;
-  for (const std::string& name : material_libraries(texture)) {
-    const fs::path path = folder / name;
-    std::ifstream file(path);
-    if (!file) throw BadFile(path.string(), fmt::format("cannot be opened; {} names it", texture));
-    for (std::string line; std::getline(file, line);)
-      text += moved_line(line, path.parent_path(), output) + "\n";
+  std::set<std::string> names;
+  /// Files that are not there.
+  std::vector<std::string> missing;
+};
+
+/// Appends the materials that none of the files before has.
+void append(MovedMaterials& moved, const MaterialLibrary& library, const std::string& output) {
+  const std::set<std::string> before = moved.names;
+  std::set<std::string> missing;
+  bool is_new = true;
+  for (const std::string& line : library.lines) {
+    if (const auto name = new_material(line)) {
+      is_new = !before.contains(*name);
+      moved.names.insert(*name);
+    }
+    if (is_new) moved.text += moved_line(line, library, output, missing) + "\n";
   }
-  return text;
+  warn_of_images(library, missing);
+}
+
+MovedMaterials moved_materials(const std::string& path, const Texture& texture,
+                               const std::string& output) {
+  const std::vector<MaterialLibrary> libraries = load_libraries(path);
+  MovedMaterials moved;
+  for (const MaterialLibrary& library : libraries) {
+    if (library.path.empty())
+      moved.missing.push_back(library.name);
+    else
+      append(moved, library, output);
+  }
+  warn_of_materials(path, texture.materials, moved.names, libraries);
+  return moved;
 }
 
 /// One material that shows the image.
@@ -64,24 +95,26 @@ constexpr std::string_view kUncovered = "newmtl none\nKd 0.5 0.5 0.5\n";
 }  // namespace
 
 void carry_texture(const TransferJob& job, const TransferArguments& arguments) {
-  TexturedMesh from = read_textured_mesh(arguments.texture);
+  TexturedMesh from = load_textured_mesh(arguments.texture);
   if (from.mesh.faces != job.from.faces || from.mesh.num_vertices() != job.from.num_vertices())
     throw BadFile(arguments.texture,
                   "does not have the vertices and faces of the mesh that was matched");
   const fs::path library = fs::path(arguments.output).replace_extension(".mtl");
-  std::string materials;
+  MovedMaterials materials;
   if (arguments.image.empty()) {
-    materials = moved_libraries(arguments.texture, library.string());
+    materials = moved_materials(arguments.texture, from.texture, library.string());
   } else {
     use_one_material(from.texture);
-    materials = image_library("textured", arguments.image, library.string());
+    materials.text = image_library("textured", arguments.image, library.string());
   }
   const TexturedMesh carried = transfer_texture(job.from, from.texture, job.onto, job.onto_to_from,
                                                 {.cut_seams = !arguments.keep_faces});
   AtomicFile file(library.string());
-  file.write(materials);
-  file.write(kUncovered);
-  write_textured_mesh(arguments.output, carried, library.filename().string());
+  file.write(materials.text);
+  if (!materials.names.contains("none")) file.write(kUncovered);
+  std::vector<std::string> libraries{library.filename().string()};
+  libraries.insert(libraries.end(), materials.missing.begin(), materials.missing.end());
+  write_textured_mesh(arguments.output, carried, libraries);
   file.commit();
 }
 

@@ -59,6 +59,55 @@ TEST(Mat, MatricesOfThreeRows) {
                      kMat.matrix("TRIV", 3, 4, {1, 3, 2, 1, 2, 4, 2, 3, 4, 3, 1, 4}));
 }
 
+/// The tetrahedron as a struct.
+std::string shape(std::string_view name, const std::string& points = "VERT",
+                  const std::string& corners = "TRIV") {
+  return kMat.structure(name, {points, corners},
+                        {kMat.matrix("", 4, 3, kCoordinates), kMat.matrix("", 4, 3, kCorners)});
+}
+
+TEST(Mat, StructsWithinStructs) {
+  const std::string number = kMat.matrix("", 1, 1, {7});
+  const std::string inner = kMat.structure("", {"id", "surface"}, {number, shape("")});
+  expect_tetrahedron(kMat.header() + kMat.structure("S", {"surface", "n"}, {shape(""), number}));
+  expect_tetrahedron(kMat.header() + kMat.structure("T", {"n", "S"}, {number, inner}));
+  expect_tetrahedron(kMat.header() + kMat.compressed(kMat.structure("T", {"S"}, {inner})));
+}
+
+TEST(Mat, FacesAndVerticesOfPatches) {
+  expect_tetrahedron(kMat.header() + shape("FV", "vertices", "faces"));
+  expect_tetrahedron(kMat.header() + kMat.structure("S", {"FV"}, {shape("", "vertices", "faces")}));
+  expect_tetrahedron(kMat.header() + kMat.byte_matrix("faces", 4, 3, kCorners) +
+                     kMat.matrix("vertices", 4, 3, kCoordinates));
+  auto corners = kCorners;
+  corners[0] = 9;
+  EXPECT_THAT(
+      error(kMat.matrix("vertices", 4, 3, kCoordinates) + kMat.matrix("faces", 4, 3, corners)),
+      HasSubstr("vertex 9 in faces is out of range"));
+}
+
+TEST(Mat, SeveralShapesAreNamed) {
+  EXPECT_THAT(error(shape("cat") + shape("dog")), HasSubstr("2 shapes: cat, dog;"));
+  EXPECT_THAT(error(kMat.structure("S", {"cat", "dog"}, {shape(""), shape("")})),
+              HasSubstr("2 shapes: S.cat, S.dog;"));
+  EXPECT_THAT(
+      error(kMat.structure("S", {"VERT", "TRIV"},
+                           {kMat.matrix("", 4, 3, kCoordinates), kMat.matrix("", 4, 3, kCorners),
+                            kMat.matrix("", 4, 3, kCoordinates), kMat.matrix("", 4, 3, kCorners)})),
+      HasSubstr("2 shapes: S(1), S(2);"));
+  EXPECT_THAT(error(shape("cat") + kMat.matrix("VERT", 4, 3, kCoordinates) + triangles()),
+              HasSubstr("2 shapes: the variables by themselves, cat;"));
+  EXPECT_THAT(error(shape("a") + shape("b") + shape("c") + shape("d") + shape("e") + shape("f") +
+                    shape("g")),
+              HasSubstr("7 shapes: a, b, c, d, e, f, ...;"));
+}
+
+TEST(Mat, DeepNestingEnds) {
+  std::string nested = shape("");
+  for (int i = 0; i < 1000; ++i) nested = kMat.structure("", {"S"}, {nested});
+  EXPECT_THAT(error(nested), HasSubstr("no shape"));
+}
+
 TEST(Mat, OtherFilesAreRefused) {
   std::string hdf = kMat.header();
   EXPECT_THAT(read_error("mat", "MATLAB 7.3 MAT-file" + hdf.substr(19)), HasSubstr("-v7"));
