@@ -2,8 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "command.h"
 #include "isomatch/mesh_io.h"
@@ -28,13 +31,20 @@ std::string describe(const std::optional<int>& genus) {
   return genus ? std::to_string(*genus) : "none: not an orientable manifold";
 }
 
+/// Only the first of many.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 8;
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(names.size(), kMost));
+  const std::string list = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
+  return names.size() > kMost ? fmt::format("{} and {} more", list, names.size() - kMost) : list;
+}
+
 void print_mesh(const MeshDiagnosis& diagnosis, const MeshReadReport& report) {
   print_line("vertices", diagnosis.vertices);
   print_line("faces", diagnosis.faces);
   print_line("area", diagnosis.area);
   print_line("components", diagnosis.components);
-  if (report.meshes.size() > 1)
-    print_line("meshes read as one", fmt::format("{}", fmt::join(report.meshes, ", ")));
+  if (report.meshes.size() > 1) print_line("meshes read as one", listed(report.meshes));
   if (report.triangulated_polygons > 0)
     print_line("polygons triangulated", report.triangulated_polygons);
   if (report.merged_vertices > 0) print_line("STL corners merged", report.merged_vertices);

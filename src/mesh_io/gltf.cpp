@@ -36,12 +36,14 @@ class GltfReader {
     check_size_of(chosen);
     for (const PlacedMesh& placed : chosen) {
       here_ = Here(placed);
+      const std::size_t faces = result_.mesh.faces.size();
       for (const tinygltf::Primitive& primitive : placed.mesh->primitives) {
         if (mode(primitive) < TINYGLTF_MODE_TRIANGLES)
           ++passed_over_;
         else
           add(primitive);
       }
+      if (result_.mesh.faces.size() > faces) result_.report.meshes.push_back(placed.name);
     }
     warn_of_lines();
     finish_model();
@@ -81,7 +83,6 @@ class GltfReader {
     }
     if (std::ranges::count(model_.extensionsUsed, "EXT_mesh_gpu_instancing") > 0)
       warn("EXT_mesh_gpu_instancing is not supported: of each such mesh one copy is read");
-    for (const PlacedMesh& mesh : placed) result_.report.meshes.push_back(mesh.name());
     return placed;
   }
 

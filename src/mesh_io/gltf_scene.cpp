@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "isomatch/mesh.h"
 
@@ -45,6 +46,14 @@ const Element& element(const InputFile& file, const std::vector<Element>& list, 
   return list[index];
 }
 
+PlacedMesh place(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
+                 const tinygltf::Node* node, const Eigen::Affine3d& transform) {
+  std::string name = node ? node->name : "";
+  if (name.empty()) name = mesh.name;
+  if (name.empty()) name = fmt::format("mesh_{}", &mesh - model.meshes.data());
+  return {&mesh, transform, std::move(name)};
+}
+
 /// Walks the nodes of one scene.
 class SceneWalk {
  public:
@@ -59,7 +68,7 @@ class SceneWalk {
       if (visited_[index]) file_.fail(fmt::format("node {} has two parents", index));
       visited_[index] = true;
       const Eigen::Affine3d transform = parent * local_transform(node);
-      if (node.mesh >= 0) place(node, transform);
+      if (node.mesh >= 0) add(node, transform);
       visit(node.children, transform, depth + 1);
     }
   }
@@ -67,10 +76,11 @@ class SceneWalk {
   std::vector<PlacedMesh> placed;
 
  private:
-  void place(const tinygltf::Node& node, const Eigen::Affine3d& transform) {
+  void add(const tinygltf::Node& node, const Eigen::Affine3d& transform) {
     const tinygltf::Mesh& mesh = element(file_, model_.meshes, node.mesh, "mesh");
     // By the specification only a skin's joints move it.
-    placed.push_back({&mesh, &node, node.skin >= 0 ? Eigen::Affine3d::Identity() : transform});
+    const Eigen::Affine3d unmoved = Eigen::Affine3d::Identity();
+    placed.push_back(place(model_, mesh, &node, node.skin >= 0 ? unmoved : transform));
   }
 
   const InputFile& file_;
@@ -94,14 +104,6 @@ std::vector<int> root_nodes(const InputFile& file, const tinygltf::Model& model)
 
 }  // namespace
 
-const std::string& PlacedMesh::name() const {
-  return node && !node->name.empty() ? node->name : mesh->name;
-}
-
-bool PlacedMesh::is_named(const std::string& name) const {
-  return mesh->name == name || (node && node->name == name);
-}
-
 std::vector<PlacedMesh> placed_meshes(const InputFile& file, const tinygltf::Model& model) {
   SceneWalk walk(file, model);
   walk.visit(root_nodes(file, model), Eigen::Affine3d::Identity(), 0);
@@ -113,8 +115,9 @@ std::vector<PlacedMesh> placed_meshes(const InputFile& file, const tinygltf::Mod
 std::vector<PlacedMesh> named_meshes(const InputFile& file, const std::vector<PlacedMesh>& placed,
                                      const std::string& name) {
   std::vector<PlacedMesh> named;
-  std::ranges::copy_if(placed, std::back_inserter(named),
-                       [&](const PlacedMesh& mesh) { return mesh.is_named(name); });
+  std::ranges::copy_if(placed, std::back_inserter(named), [&](const PlacedMesh& candidate) {
+    return candidate.name == name || candidate.mesh->name == name;
+  });
   if (named.empty())
     file.fail(fmt::format("has no mesh {}, only {}", in_quotes(name), listed_names(placed)));
   return named;
@@ -124,8 +127,7 @@ std::string listed_names(const std::vector<PlacedMesh>& meshes) {
   constexpr std::size_t kMost = 8;
   std::string list;
   for (std::size_t k = 0; k < std::min(meshes.size(), kMost); ++k)
-    list += (k == 0 ? "" : ", ") +
-            (meshes[k].name().empty() ? "one without a name" : in_quotes(meshes[k].name()));
+    list += (k == 0 ? "" : ", ") + in_quotes(meshes[k].name);
   if (meshes.size() > kMost) list += fmt::format(" and {} more", meshes.size() - kMost);
   return list;
 }
@@ -136,7 +138,8 @@ std::vector<PlacedMesh> meshes_outside(const tinygltf::Model& model,
   for (const PlacedMesh& mesh : placed) inside.insert(mesh.mesh);
   std::vector<PlacedMesh> outside;
   for (const tinygltf::Mesh& mesh : model.meshes)
-    if (!inside.contains(&mesh)) outside.push_back({&mesh, nullptr, Eigen::Affine3d::Identity()});
+    if (!inside.contains(&mesh))
+      outside.push_back(place(model, mesh, nullptr, Eigen::Affine3d::Identity()));
   return outside;
 }
 

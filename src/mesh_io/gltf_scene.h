@@ -15,13 +15,9 @@ namespace isomatch::mesh_io {
 /// A mesh in a scene, and where the scene puts it.
 struct PlacedMesh {
   const tinygltf::Mesh* mesh;
-  /// Null if no scene shows the mesh.
-  const tinygltf::Node* node;
   Eigen::Affine3d transform;
-
-  /// The node's, as programs show it; failing that, the mesh's.
-  const std::string& name() const;
-  bool is_named(const std::string& name) const;
+  /// The node's, as programs show it; failing that, the mesh's, or mesh_ and its number.
+  std::string name;
 };
 
 /// The meshes of the scene that is shown, depth first from its roots, each as often as a node shows
@@ -29,14 +25,15 @@ struct PlacedMesh {
 /// parents.
 std::vector<PlacedMesh> placed_meshes(const InputFile& file, const tinygltf::Model& model);
 
-/// Those called `name`. Throws `BadFile` that lists the names if there is none.
+/// Those that are called `name`, or whose mesh is. Throws `BadFile` that lists the names if there
+/// is none.
 std::vector<PlacedMesh> named_meshes(const InputFile& file, const std::vector<PlacedMesh>& placed,
                                      const std::string& name);
 
 /// Names of `meshes` for a message; only the first of many.
 std::string listed_names(const std::vector<PlacedMesh>& meshes);
 
-/// Names of the meshes that are not among `placed`.
+/// The meshes that are not among `placed`.
 std::vector<PlacedMesh> meshes_outside(const tinygltf::Model& model,
                                        const std::vector<PlacedMesh>& placed);
 

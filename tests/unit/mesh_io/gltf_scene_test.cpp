@@ -98,6 +98,7 @@ TEST_F(GltfScene, LinesInFrontOfTheBodyAreWarnedOf) {
          .meshes = std::string(kLines) + "," + kBody});
   EXPECT_EQ(read().faces, tetrahedron().faces);
   EXPECT_THAT(report_.warnings, ElementsAre("a part of lines or points is left out"));
+  EXPECT_THAT(report_.meshes, ElementsAre("body"));
 }
 
 TEST_F(GltfScene, MeshesOutsideOfTheSceneAreWarnedOf) {
@@ -109,6 +110,9 @@ TEST_F(GltfScene, MeshesOutsideOfTheSceneAreWarnedOf) {
 TEST_F(GltfScene, WithoutASceneAllMeshesAreRead) {
   write({.scenes = "", .nodes = "{}", .meshes = std::string(kBody) + "," + kEye});
   EXPECT_EQ(read().num_vertices(), 8);
+  write({.scenes = "", .nodes = "{}"});
+  read();
+  EXPECT_THAT(report_.meshes, ElementsAre("mesh_0"));
   write({.scenes = "",
          .nodes = R"({"children":[1],"translation":[1,0,0]},{"mesh":0})",
          .meshes = kBody});
