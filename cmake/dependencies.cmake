@@ -3,6 +3,8 @@ find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(fmt REQUIRED)
 # Its own package config asks for programs that Debian packages apart.
 find_library(ISOMATCH_LIBZIP zip REQUIRED)
+# By itself: the package that CMake knows brings the X window system.
+find_library(ISOMATCH_LIBGLU GLU REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(nanoflann REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -18,7 +18,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libisomatch-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "g++, libeigen3-dev (>= 3.4), libfmt-dev, libmeshoptimizer-dev, libtinygltf-dev, libzip-dev, zlib1g-dev")
+    "g++, libeigen3-dev (>= 3.4), libfmt-dev, libglu1-mesa-dev, libmeshoptimizer-dev, libtinygltf-dev, libzip-dev, zlib1g-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "Dense correspondence between 3D shapes, C++ library
  This package has the static library isomatch, its headers, and what CMake and

@@ -74,7 +74,7 @@ TexturedMesh read_textured_mesh(const std::string& path, MeshReadReport* report)
   const InputFile file(path);
   check_ending(path, ".obj");
   mesh_io::ReadResult result = mesh_io::read_textured_obj(file);
-  if (result.mesh.vertices.empty()) file.fail("the mesh has no vertices");
+  mesh_io::complete(result, file);
   if (report) *report = std::move(result.report);
   TexturedMesh textured{std::move(result.mesh), std::move(result.texture)};
   for (int f = 0; f < textured.mesh.num_faces(); ++f)

@@ -21,6 +21,7 @@ namespace {
 struct ConvertArguments {
   std::string input, output;
   MeshPlaces places;
+  MeshReadOptions reading;
   std::size_t alternative = 0;
   bool one_based = false, write_one_based = false;
 
@@ -94,6 +95,7 @@ void refuse_idle_options(const ConvertArguments& arguments) {
   if (arguments.write_one_based && !is_map_file_name(arguments.output))
     throw InvalidInput("--write-one-based is for maps");
   if (arguments.alternative != 0 && !is_result) throw InvalidInput("--alternative is for results");
+  if (arguments.reading.mesh && (is_map || is_result)) throw InvalidInput("--mesh is for meshes");
   const MeshPlaces& places = arguments.places;
   if (!(places.source.empty() && places.target.empty()) && !is_result && !is_map)
     throw InvalidInput("--source and --target are for maps and results");
@@ -106,7 +108,7 @@ void run_convert(const ConvertArguments& arguments) {
   else if (is_map_file_name(arguments.input))
     convert_map(arguments);
   else
-    write_model(arguments.output, load_model(arguments.input));
+    write_model(arguments.output, load_model(arguments.input, arguments.reading));
 }
 
 void add_map_options(CLI::App& command, ConvertArguments& arguments) {
@@ -140,6 +142,7 @@ void add_convert(CLI::App& app, Request& request) {
       .add_option("OUT", arguments->output,
                   "Mesh or map; of a folder the source with colours and both poses, or the map")
       ->required();
+  add_mesh_option(command, arguments->reading);
   add_map_options(command, *arguments);
   set_example(command,
               "isomatch convert cat0.mat cat0.off\n"

@@ -2,8 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "command.h"
 #include "isomatch/mesh_io.h"
@@ -15,6 +18,7 @@ namespace {
 
 struct InfoArguments {
   std::string mesh;
+  MeshReadOptions reading;
   bool json = false;
 };
 
@@ -27,11 +31,20 @@ std::string describe(const std::optional<int>& genus) {
   return genus ? std::to_string(*genus) : "none: not an orientable manifold";
 }
 
+/// Only the first of many.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 8;
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(names.size(), kMost));
+  const std::string list = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
+  return names.size() > kMost ? fmt::format("{} and {} more", list, names.size() - kMost) : list;
+}
+
 void print_mesh(const MeshDiagnosis& diagnosis, const MeshReadReport& report) {
   print_line("vertices", diagnosis.vertices);
   print_line("faces", diagnosis.faces);
   print_line("area", diagnosis.area);
   print_line("components", diagnosis.components);
+  if (report.meshes.size() > 1) print_line("meshes read as one", listed(report.meshes));
   if (report.triangulated_polygons > 0)
     print_line("polygons triangulated", report.triangulated_polygons);
   if (report.merged_vertices > 0) print_line("STL corners merged", report.merged_vertices);
@@ -51,7 +64,7 @@ void print_surface(const MeshDiagnosis& diagnosis) {
 
 void run_info(const InfoArguments& arguments) {
   MeshReadReport report;
-  const Mesh mesh = read_mesh(arguments.mesh, &report);
+  const Mesh mesh = read_mesh(arguments.mesh, &report, arguments.reading);
   for (const std::string& warning : report.warnings) warn(arguments.mesh, warning);
   const MeshDiagnosis diagnosis = diagnose(mesh);
   if (arguments.json) {
@@ -59,6 +72,7 @@ void run_info(const InfoArguments& arguments) {
     json["triangulated_polygons"] = report.triangulated_polygons;
     json["merged_vertices"] = report.merged_vertices;
     json["read_warnings"] = report.warnings;
+    json["meshes"] = report.meshes;
     fmt::print("{}\n", json.dump(2));
     return;
   }
@@ -75,6 +89,7 @@ void add_info(CLI::App& app, Request& request) {
   CLI::App& command = *app.add_subcommand("info", "Print what a mesh is made of and its defects");
   command.add_option("MESH", arguments->mesh, "OFF, OBJ, PLY, STL, GLB, glTF or MAT file")
       ->required();
+  add_mesh_option(command, arguments->reading);
   command.add_flag("--json", arguments->json, "Print JSON");
   set_example(command, "isomatch info horse.off");
   command.callback([arguments, &request] {

@@ -12,11 +12,11 @@
 namespace isomatch::cli {
 namespace {
 
-/// What `read` reads from `path`.
-template <class Result>
-Result loaded(const std::string& path, Result (*read)(const std::string&, MeshReadReport*)) {
+/// What `read(path, report)` reads.
+template <class Read>
+auto loaded(const std::string& path, const Read& read) {
   MeshReadReport report;
-  Result result = read(path, &report);
+  auto result = read(path, &report);
   for (const std::string& warning : report.warnings) warn(path, warning);
   return result;
 }
@@ -28,13 +28,27 @@ void warn(const std::string& path, std::string_view warning) {
   fmt::print(stderr, "warning: {}: {}\n", path, warning);
 }
 
-Mesh load_mesh(const std::string& path) { return loaded(path, read_mesh); }
-Model load_model(const std::string& path) { return loaded(path, read_model); }
+Mesh load_mesh(const std::string& path) {
+  return loaded(path, [](const auto&... arguments) { return read_mesh(arguments...); });
+}
+
+Model load_model(const std::string& path, const MeshReadOptions& options) {
+  return loaded(path, [&](const auto&... arguments) { return read_model(arguments..., options); });
+}
+
 TexturedMesh load_textured_mesh(const std::string& path) {
   return loaded(path, read_textured_mesh);
 }
+
 VertexColors load_vertex_colors(const std::string& path) {
   return loaded(path, read_vertex_colors);
+}
+
+void add_mesh_option(CLI::App& command, MeshReadOptions& options) {
+  command
+      .add_option("--mesh", options.mesh,
+                  "Of a glTF file only this mesh, by its name; without this all of the scene")
+      ->type_name("NAME");
 }
 
 Inspection inspected(const std::string& path, const Mesh& mesh) {

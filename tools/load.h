@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 
@@ -16,9 +17,12 @@ void warn(const std::string& path, std::string_view warning);
 
 /// The readers of the same names with `read` for `load`. They tell what the reader warns of.
 Mesh load_mesh(const std::string& path);
-Model load_model(const std::string& path);
+Model load_model(const std::string& path, const MeshReadOptions& options = {});
 TexturedMesh load_textured_mesh(const std::string& path);
 VertexColors load_vertex_colors(const std::string& path);
+
+/// Adds `--mesh`, which chooses a mesh of a glTF file.
+void add_mesh_option(CLI::App& command, MeshReadOptions& options);
 
 /// Diagnosis and surface, of which there is one, of a mesh that was read from `path`. What makes it
 /// unusable is a `BadFile`.

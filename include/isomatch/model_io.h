@@ -36,9 +36,13 @@ void validate(const Model& model);
 
 /// Reads a mesh file of any format, reports to `report` unless it is null, and what it has of:
 /// - colours: .ply, and .glb and .gltf (converted from linear intensities to sRGB);
-/// - texture coordinates and names of materials: .obj, .glb, .gltf;
-/// - poses: morph targets of .glb and .gltf.
-Model read_model(const std::string& path, MeshReadReport* report = nullptr);
+/// - texture coordinates and names of materials: .obj, .glb, .gltf (those that the texture of the
+///   base colour uses, moved as KHR_texture_transform says);
+/// - poses: morph targets of .glb and .gltf, one for each name.
+/// Where some parts of a glTF file have no colours, they are white; where they have no poses, they
+/// keep still.
+Model read_model(const std::string& path, MeshReadReport* report = nullptr,
+                 const MeshReadOptions& options = {});
 
 /// Writes a mesh file of any format that can be written, and what the format has room for:
 /// - .ply: colours;

@@ -43,11 +43,4 @@ double checked_coordinate(const Cursor& at, double value) {
   return value;
 }
 
-/// Fails if a polygon has too few corners.
-template <class Cursor>
-void check_corners(const Cursor& at, std::int64_t corners) {
-  if (corners < 3)
-    at.fail(fmt::format("a face needs at least 3 corners, this one has {}", corners));
-}
-
 }  // namespace isomatch::mesh_io

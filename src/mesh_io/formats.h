@@ -12,6 +12,11 @@
 /// One reader and one writer a format; see `read_mesh` and `write_mesh` for what they promise.
 namespace isomatch::mesh_io {
 
+/// The triangles that a polygon of more than three corners became: a fan around its first corner.
+struct Fan {
+  std::size_t first_face, faces;
+};
+
 struct ReadResult {
   Mesh mesh;
   MeshReadReport report;
@@ -19,21 +24,33 @@ struct ReadResult {
   Texture texture;
   VertexColors colors;
   std::vector<Pose> poses;
+  /// In the order of their faces.
+  std::vector<Fan> fans;
+  /// Of fewer than three corners, which are left out.
+  int short_faces = 0;
 };
 
-/// Throws `BadFile` unless there are vertices and faces, and not too many.
-void check_size(const Mesh& mesh, const InputFile& file);
+/// What is left to do when all of a mesh has been read: throws `BadFile` unless there are vertices
+/// and faces, and not too many; cuts polygons; warns of faces that were left out.
+void complete(ReadResult& result, const InputFile& file);
+
+/// A reader of a format whose files have one mesh, where none can be chosen.
+template <ReadResult (*read)(const InputFile&)>
+ReadResult read_only_mesh(const InputFile& file, const MeshReadOptions& options) {
+  if (options.mesh) file.fail("only of a glTF file a mesh can be chosen by its name");
+  return read(file);
+}
 
 ReadResult read_off(const InputFile& file);
 ReadResult read_obj(const InputFile& file);
 ReadResult read_ply(const InputFile& file);
 ReadResult read_stl(const InputFile& file);
-ReadResult read_gltf(const InputFile& file);
+ReadResult read_gltf(const InputFile& file, const MeshReadOptions& options);
 ReadResult read_mat(const InputFile& file);
 
 ReadResult read_textured_obj(const InputFile& file);
 ReadResult read_colored_ply(const InputFile& file);
-ReadResult read_gltf_model(const InputFile& file);
+ReadResult read_gltf_model(const InputFile& file, const MeshReadOptions& options);
 
 void write_off(const Mesh& mesh, AtomicFile& file);
 void write_obj(const Mesh& mesh, AtomicFile& file);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,8 +13,10 @@
 #include "mesh_io/checks.h"
 #include "mesh_io/formats.h"
 #include "mesh_io/gltf_accessors.h"
-#include "mesh_io/gltf_colors.h"
+#include "mesh_io/gltf_attributes.h"
+#include "mesh_io/gltf_coordinates.h"
 #include "mesh_io/gltf_file.h"
+#include "mesh_io/gltf_scene.h"
 
 namespace isomatch::mesh_io {
 namespace {
@@ -21,139 +24,158 @@ namespace {
 /// Whether to read more than the mesh.
 enum class Extent { kMesh, kModel };
 
+using Indices = std::vector<std::int64_t>;
+
 class GltfReader {
  public:
-  GltfReader(const InputFile& file, Extent extent)
-      : file_(file),
-        extent_(extent),
-        model_(load_gltf(file)),
-        accessors_(file, model_),
-        placed_(first_mesh(file, model_)) {}
+  GltfReader(const InputFile& file, const MeshReadOptions& options, Extent extent)
+      : file_(file), options_(options), extent_(extent), model_(load_gltf(file)) {}
 
   ReadResult read() {
-    for (const tinygltf::Primitive& primitive : placed_.mesh->primitives)
-      // The others are points and lines.
-      if (mode(primitive) >= TINYGLTF_MODE_TRIANGLES) add(primitive);
-    drop_partial();
+    const std::vector<PlacedMesh> chosen = chosen_meshes();
+    check_size_of(chosen);
+    for (const PlacedMesh& placed : chosen) {
+      here_ = Here(placed);
+      const std::size_t faces = result_.mesh.faces.size();
+      for (const tinygltf::Primitive& primitive : placed.mesh->primitives) {
+        if (mode(primitive) < TINYGLTF_MODE_TRIANGLES)
+          ++passed_over_;
+        else
+          add(primitive);
+      }
+      if (result_.mesh.faces.size() > faces) result_.report.meshes.push_back(placed.name);
+    }
+    warn_of_lines();
+    finish_model();
     return std::move(result_);
   }
 
  private:
+  /// The mesh that is being read.
+  struct Here {
+    Here() = default;
+    explicit Here(const PlacedMesh& placed)
+        : mesh(placed.mesh),
+          transform(placed.transform),
+          is_moved(!placed.transform.matrix().isIdentity(0)),
+          is_mirrored(placed.transform.linear().determinant() < 0) {}
+
+    const tinygltf::Mesh* mesh = nullptr;
+    Eigen::Affine3d transform;
+    bool is_moved = false, is_mirrored = false;
+    /// Of each accessor of positions.
+    std::map<int, int> first_vertex;
+  };
+
   static int mode(const tinygltf::Primitive& primitive) {
     return primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
   }
 
-  static int attribute(const std::map<std::string, int>& attributes, const std::string& name) {
-    const auto found = attributes.find(name);
-    return found == attributes.end() ? -1 : found->second;
+  std::vector<PlacedMesh> chosen_meshes() {
+    std::vector<PlacedMesh> placed = placed_meshes(file_, model_);
+    const std::vector<PlacedMesh> outside = meshes_outside(model_, placed);
+    if (options_.mesh) {
+      std::vector<PlacedMesh> all = placed;
+      all.insert(all.end(), outside.begin(), outside.end());
+      placed = named_meshes(file_, all, *options_.mesh);
+    } else if (!outside.empty()) {
+      warn(fmt::format("not in the scene that is shown, and left out: {}", listed_names(outside)));
+    }
+    if (std::ranges::count(model_.extensionsUsed, "EXT_mesh_gpu_instancing") > 0)
+      warn("EXT_mesh_gpu_instancing is not supported: of each such mesh one copy is read");
+    return placed;
+  }
+
+  void warn(std::string text) { result_.report.warnings.push_back(std::move(text)); }
+
+  void warn_of_lines() {
+    if (passed_over_ == 0) return;
+    if (result_.mesh.vertices.empty()) file_.fail("has no triangles, only lines or points");
+    warn(passed_over_ == 1 ? "a part of lines or points is left out"
+                           : fmt::format("{} parts of lines or points are left out", passed_over_));
+  }
+
+  /// A small file can show a large mesh any number of times.
+  void check_size_of(const std::vector<PlacedMesh>& meshes) const {
+    constexpr std::size_t kFew = 100'000'000, kMost = std::numeric_limits<int>::max();
+    const std::size_t most = std::clamp(accessors_.total_bytes(), kFew, kMost);
+    std::size_t size = 0;
+    for (const PlacedMesh& placed : meshes) {
+      for (const tinygltf::Primitive& primitive : placed.mesh->primitives) {
+        size += 1 + count_or_none(primitive.indices) + count_or_none(positions_of(primitive));
+        if (size > most) file_.fail("shows its meshes more often than this program can read them");
+      }
+    }
+  }
+
+  static int positions_of(const tinygltf::Primitive& primitive) {
+    const auto found = primitive.attributes.find("POSITION");
+    return found == primitive.attributes.end() ? -1 : found->second;
+  }
+
+  std::size_t count_or_none(int accessor) const {
+    return accessor < 0 ? 0 : accessors_.count(accessor);
   }
 
   void add(const tinygltf::Primitive& primitive) {
-    const int positions = attribute(primitive.attributes, "POSITION");
+    const int positions = positions_of(primitive);
     if (positions < 0) file_.fail("a part of the mesh has no positions");
     const auto count = static_cast<int>(
         std::min<std::size_t>(accessors_.count(positions), std::numeric_limits<int>::max()));
     // Parts of a mesh may share their vertices.
     const auto [entry, is_new] =
-        first_vertex_.try_emplace(positions, static_cast<int>(result_.mesh.vertices.size()));
-    if (is_new) add_vertices(primitive, positions);
+        here_.first_vertex.try_emplace(positions, static_cast<int>(result_.mesh.vertices.size()));
+    if (is_new) add_vertices(positions);
+    const Indices indices = corners(primitive, count);
     const std::size_t first_face = result_.mesh.faces.size();
-    add_faces(primitive, entry->second, count);
-    if (extent_ == Extent::kModel) cover(primitive, first_face);
-  }
-
-  void add_vertices(const tinygltf::Primitive& primitive, int positions) {
-    const Eigen::MatrixXd values = accessors_.read(positions, 3);
-    for (Eigen::Index v = 0; v < values.rows(); ++v)
-      result_.mesh.vertices.push_back(finite(in_scene(values.row(v))));
-    if (result_.mesh.vertices.size() > std::numeric_limits<int>::max())
-      file_.fail("the mesh has more vertices than this program can number");
+    for (const std::int64_t index : indices) checked_index(file_, index, count);
+    add_faces(primitive, entry->second, indices);
     if (extent_ == Extent::kMesh) return;
-    add_coordinates(attribute(primitive.attributes, "TEXCOORD_0"), values.rows());
-    add_colors(attribute(primitive.attributes, "COLOR_0"), values.rows());
-    add_poses(primitive, values);
+    const GltfVertices vertices{entry->second, count, own(entry->second, count, indices, is_new)};
+    attributes_.add_colors(primitive, vertices);
+    attributes_.add_poses(*here_.mesh, primitive, vertices, here_.transform, result_.mesh.vertices);
+    cover(primitive, vertices, first_face);
   }
 
-  /// Leaves every bit as it is where nothing moves.
-  Point in_scene(const Point& point) const {
-    return is_moved_ ? Point(placed_.transform * point) : point;
-  }
-
-  const Point& finite(const Point& point) const {
-    if (!point.allFinite()) file_.fail("a coordinate is not finite");
-    return point;
-  }
-
-  Eigen::MatrixXd read_rows(int accessor, int components, Eigen::Index rows) const {
-    Eigen::MatrixXd values = accessors_.read(accessor, components);
-    if (values.rows() != rows)
-      file_.fail(fmt::format("accessor {} has {} elements for {} vertices", accessor, values.rows(),
-                             rows));
-    return values;
-  }
-
-  void add_coordinates(int accessor, Eigen::Index rows) {
-    coordinates_at_.resize(result_.mesh.vertices.size(), Texture::kNone);
-    if (accessor < 0) return;
-    const Eigen::MatrixXd values = read_rows(accessor, 2, rows);
-    if (!values.allFinite()) file_.fail("a texture coordinate is not finite");
-    const std::size_t first = result_.mesh.vertices.size() - rows;
-    for (Eigen::Index v = 0; v < rows; ++v) {
-      coordinates_at_[first + v] = static_cast<int>(result_.texture.coordinates.size());
-      // glTF counts from the upper left corner of an image.
-      result_.texture.coordinates.emplace_back(values(v, 0), 1 - values(v, 1));
+  void add_vertices(int positions) {
+    const Eigen::MatrixXd values = accessors_.read(positions, 3);
+    for (Eigen::Index v = 0; v < values.rows(); ++v) {
+      Point point = values.row(v);
+      // Leaves every bit as it is where nothing moves.
+      if (here_.is_moved) point = here_.transform * point;
+      if (!point.allFinite()) file_.fail("a coordinate is not finite");
+      result_.mesh.vertices.push_back(point);
     }
   }
 
-  void add_colors(int accessor, Eigen::Index rows) {
-    if (accessor < 0) return;
-    const bool has_alpha =
-        accessors_.count(accessor) > 0 && model_.accessors[accessor].type == TINYGLTF_TYPE_VEC4;
-    const Eigen::MatrixXd values = read_rows(accessor, has_alpha ? 4 : 3, rows);
-    if (!values.allFinite()) file_.fail("a colour is not finite");
-    for (Eigen::Index v = 0; v < rows; ++v)
-      result_.colors.push_back(to_srgb(Eigen::Vector3d(values.row(v).head<3>())));
-  }
-
-  void add_poses(const tinygltf::Primitive& primitive, const Eigen::MatrixXd& positions) {
-    std::vector<Pose>& poses = result_.poses;
-    if (poses.size() < primitive.targets.size()) poses.resize(primitive.targets.size());
-    for (std::size_t k = 0; k < primitive.targets.size(); ++k) {
-      const int accessor = attribute(primitive.targets[k], "POSITION");
-      Eigen::MatrixXd moved = positions;
-      if (accessor >= 0) moved += read_rows(accessor, 3, positions.rows());
-      for (Eigen::Index v = 0; v < moved.rows(); ++v)
-        poses[k].vertices.push_back(finite(in_scene(moved.row(v))));
-      poses[k].name = target_name(k);
+  /// The vertices that have their attributes from a part with these corners: where parts share
+  /// vertices, it is the first part that uses them.
+  std::vector<int> own(int first, int count, const Indices& indices, bool is_new) {
+    is_used_.resize(result_.mesh.vertices.size(), false);
+    std::vector<int> vertices;
+    if (is_new) {
+      vertices.resize(count);
+      std::iota(vertices.begin(), vertices.end(), 0);
     }
-  }
-
-  /// By a convention that all programs follow.
-  std::string target_name(std::size_t target) const {
-    const tinygltf::Value& extras = placed_.mesh->extras;
-    if (extras.IsObject() && extras.Has("targetNames")) {
-      const tinygltf::Value& names = extras.Get("targetNames");
-      if (names.IsArray() && target < names.ArrayLen() &&
-          names.Get(static_cast<int>(target)).IsString())
-        return names.Get(static_cast<int>(target)).Get<std::string>();
+    for (const std::int64_t index : indices) {
+      if (!is_new && !is_used_[first + index]) vertices.push_back(static_cast<int>(index));
+      is_used_[first + index] = true;
     }
-    return fmt::format("target_{}", target);
+    return vertices;
   }
 
-  std::vector<std::int64_t> corners(const tinygltf::Primitive& primitive, int vertices) const {
+  Indices corners(const tinygltf::Primitive& primitive, int vertices) const {
     if (primitive.indices >= 0) return accessors_.read_indices(primitive.indices);
-    std::vector<std::int64_t> indices(vertices);
-    for (int v = 0; v < vertices; ++v) indices[v] = v;
+    Indices indices(vertices);
+    std::iota(indices.begin(), indices.end(), 0);
     return indices;
   }
 
-  void add_faces(const tinygltf::Primitive& primitive, int first_vertex, int vertices) {
-    const std::vector<std::int64_t> indices = corners(primitive, vertices);
+  void add_faces(const tinygltf::Primitive& primitive, int first_vertex, const Indices& indices) {
     const std::size_t count = indices.size();
-    for (const std::int64_t index : indices) checked_index(file_, index, vertices);
     const auto add_face = [&](std::size_t a, std::size_t b, std::size_t c) {
       // A mirror image is turned inside out.
-      if (is_mirrored_) std::swap(b, c);
+      if (here_.is_mirrored) std::swap(b, c);
       result_.mesh.faces.push_back({first_vertex + static_cast<int>(indices[a]),
                                     first_vertex + static_cast<int>(indices[b]),
                                     first_vertex + static_cast<int>(indices[c])});
@@ -188,46 +210,50 @@ class GltfReader {
   }
 
   /// Texture coordinates and material of the faces from `first_face` on.
-  void cover(const tinygltf::Primitive& primitive, std::size_t first_face) {
+  void cover(const tinygltf::Primitive& primitive, const GltfVertices& vertices,
+             std::size_t first_face) {
     const int number = material(primitive);
+    const int first = coordinates_.add(primitive, vertices.count, result_.texture);
+    const auto at = [&](int vertex) {
+      return first == Texture::kNone ? Texture::kNone : first + vertex - vertices.first;
+    };
     const auto& faces = result_.mesh.faces;
     for (std::size_t f = first_face; f < faces.size(); ++f) {
       const auto& [a, b, c] = faces[f];
-      result_.texture.corners.push_back(
-          {coordinates_at_[a], coordinates_at_[b], coordinates_at_[c]});
+      result_.texture.corners.push_back({at(a), at(b), at(c)});
       result_.texture.face_material.push_back(number);
     }
   }
 
-  /// What some parts of the mesh do not have, it has not.
-  void drop_partial() {
-    const std::size_t vertices = result_.mesh.vertices.size();
-    if (result_.colors.size() != vertices) result_.colors.clear();
-    std::erase_if(result_.poses,
-                  [&](const Pose& pose) { return pose.vertices.size() != vertices; });
+  void finish_model() {
+    const std::vector<Point>& vertices = result_.mesh.vertices;
+    result_.colors = std::move(attributes_).colors(vertices.size());
+    result_.poses = std::move(attributes_).poses(vertices);
     if (result_.texture.coordinates.empty()) result_.texture = {};
   }
 
   const InputFile& file_;
+  const MeshReadOptions& options_;
   Extent extent_;
   tinygltf::Model model_;
-  GltfAccessors accessors_;
-  PlacedMesh placed_;
-  bool is_moved_ = !placed_.transform.matrix().isIdentity(0);
-  bool is_mirrored_ = placed_.transform.linear().determinant() < 0;
+  GltfAccessors accessors_{file_, model_};
+  GltfAttributes attributes_{file_, model_, accessors_};
+  GltfCoordinates coordinates_{file_, model_, accessors_};
+  Here here_;
   ReadResult result_;
-  /// Of each accessor of positions.
-  std::map<int, int> first_vertex_;
-  /// Of each vertex its texture coordinates.
-  std::vector<int> coordinates_at_;
+  /// Whether a vertex has its attributes for good, of each vertex.
+  std::vector<bool> is_used_;
+  int passed_over_ = 0;
 };
 
 }  // namespace
 
-ReadResult read_gltf(const InputFile& file) { return GltfReader(file, Extent::kMesh).read(); }
+ReadResult read_gltf(const InputFile& file, const MeshReadOptions& options) {
+  return GltfReader(file, options, Extent::kMesh).read();
+}
 
-ReadResult read_gltf_model(const InputFile& file) {
-  return GltfReader(file, Extent::kModel).read();
+ReadResult read_gltf_model(const InputFile& file, const MeshReadOptions& options) {
+  return GltfReader(file, options, Extent::kModel).read();
 }
 
 }  // namespace isomatch::mesh_io

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "mesh_io/checks.h"
 
@@ -65,6 +66,11 @@ const tinygltf::Accessor& GltfAccessors::accessor(int index) const {
 }
 
 std::size_t GltfAccessors::count(int index) const { return accessor(index).count; }
+
+void GltfAccessors::check_rows(int index, Eigen::Index vertices) const {
+  if (std::cmp_not_equal(count(index), vertices))
+    fail(fmt::format("accessor {} has {} elements for {} vertices", index, count(index), vertices));
+}
 
 GltfAccessors::Elements GltfAccessors::find(const Place& place) const {
   if (place.view < 0 || place.view >= std::ssize(model_.bufferViews))

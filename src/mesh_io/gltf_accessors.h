@@ -20,8 +20,14 @@ class GltfAccessors {
   /// Keeps references to both.
   GltfAccessors(const InputFile& file, const tinygltf::Model& model);
 
+  /// The size of all buffers.
+  std::size_t total_bytes() const { return total_bytes_; }
+
   /// How many elements an accessor has.
   std::size_t count(int accessor) const;
+
+  /// Throws `BadFile` unless an accessor has an element for each of so many vertices.
+  void check_rows(int accessor, Eigen::Index vertices) const;
 
   /// The values of an accessor, a row for each element, with `components` columns. Normalised
   /// integers become fractions.

@@ -9,15 +9,15 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
-
-#include "isomatch/mesh.h"
 
 namespace isomatch::mesh_io {
 namespace {
 
-/// Extensions that a file may call required and that do not touch its vertices.
+/// Extensions that a file may call required and that do not touch its vertices, or that are
+/// understood.
 bool leaves_geometry_alone(const std::string& extension) {
   constexpr std::array<std::string_view, 5> kPrefixes = {
       "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_mesh_quantization"};
@@ -37,78 +37,43 @@ std::string one_line(std::string text) {
   return text.empty() ? "no reason given" : text;
 }
 
-void check_supported(const InputFile& file, const tinygltf::Model& model) {
+void check_version(const InputFile& file, const tinygltf::Model& model) {
   const std::string& version = model.asset.version;
   if (!version.starts_with("2."))
     file.fail(fmt::format("glTF version {} is not supported, only 2.0", in_quotes(version)));
-  for (const std::string& extension : model.extensionsRequired)
-    if (!leaves_geometry_alone(extension))
+}
+
+/// The JSON of a .glb or .gltf file, if there is any.
+std::string_view json_of(const InputFile& file) {
+  const std::string_view content = file.content();
+  if (!content.starts_with("glTF")) return content;
+  // Behind the file's header of 12 bytes and the chunk's of 8.
+  constexpr std::size_t kLength = 12, kStart = 20;
+  if (content.size() < kStart) return {};
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    length |= static_cast<std::size_t>(static_cast<unsigned char>(content[kLength + i])) << 8 * i;
+  return content.substr(kStart, length);
+}
+
+/// Before the parser looks at the file, as extensions have a structure of their own: compressed
+/// data leave holes that would be errors elsewhere. What is not JSON is left to the parser.
+void check_extensions(const InputFile& file) {
+  constexpr std::string_view kRequired = "extensionsRequired";
+  const auto is_wanted = [&](int depth, nlohmann::json::parse_event_t event,
+                             const nlohmann::json& key) {
+    return depth != 1 || event != nlohmann::json::parse_event_t::key || key == kRequired;
+  };
+  const nlohmann::json json = nlohmann::json::parse(json_of(file), is_wanted, false);
+  if (!json.is_object() || !json.contains(kRequired) || !json[kRequired].is_array()) return;
+  for (const nlohmann::json& extension : json[kRequired]) {
+    if (!extension.is_string()) continue;
+    const auto name = extension.get<std::string>();
+    if (!leaves_geometry_alone(name))
       file.fail(fmt::format("needs the extension {}, which is not supported",
-                            one_line(extension.substr(0, 60))));
-}
-
-/// The first `size` of `numbers`; without any, `otherwise`.
-template <std::size_t size>
-std::array<double, size> numbers_or(const std::vector<double>& numbers,
-                                    std::array<double, size> otherwise) {
-  if (numbers.size() >= size) std::copy_n(numbers.begin(), size, otherwise.begin());
-  return otherwise;
-}
-
-Eigen::Affine3d local_transform(const tinygltf::Node& node) {
-  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-  if (node.matrix.size() == 16) {
-    for (int i = 0; i < 16; ++i) transform.matrix()(i % 4, i / 4) = node.matrix[i];
-    return transform;
+                            one_line(name.substr(0, 60))));
   }
-  const auto t = numbers_or<3>(node.translation, {0, 0, 0});
-  const auto r = numbers_or<4>(node.rotation, {0, 0, 0, 1});
-  const auto s = numbers_or<3>(node.scale, {1, 1, 1});
-  return transform.translate(Point(t[0], t[1], t[2]))
-      .rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized())
-      .scale(Point(s[0], s[1], s[2]));
 }
-
-template <class Element>
-const Element& element(const InputFile& file, const std::vector<Element>& list, int index,
-                       std::string_view name) {
-  if (index < 0 || index >= std::ssize(list))
-    file.fail(fmt::format("{} {} is out of range, there are {}", name, index, list.size()));
-  return list[index];
-}
-
-class SceneSearch {
- public:
-  SceneSearch(const InputFile& file, const tinygltf::Model& model)
-      : file_(file), model_(model), visited_(model.nodes.size(), false) {}
-
-  std::optional<PlacedMesh> below(const std::vector<int>& nodes, const Eigen::Affine3d& parent,
-                                  int depth) {
-    constexpr int kDeepest = 500;
-    if (depth > kDeepest) file_.fail("its nodes are nested too deeply");
-    for (const int index : nodes) {
-      const tinygltf::Node& node = element(file_, model_.nodes, index, "node");
-      if (visited_[index]) file_.fail(fmt::format("node {} has two parents", index));
-      visited_[index] = true;
-      const Eigen::Affine3d transform = parent * local_transform(node);
-      if (node.mesh >= 0) return placed(node, transform);
-      if (const auto found = below(node.children, transform, depth + 1)) return found;
-    }
-    return std::nullopt;
-  }
-
- private:
-  PlacedMesh placed(const tinygltf::Node& node, const Eigen::Affine3d& transform) const {
-    const tinygltf::Mesh& mesh = element(file_, model_.meshes, node.mesh, "mesh");
-    // By the specification only a skin's joints move it.
-    if (node.skin >= 0) return {&mesh, Eigen::Affine3d::Identity()};
-    return {&mesh, transform};
-  }
-
-  const InputFile& file_;
-  const tinygltf::Model& model_;
-  std::vector<bool> visited_;
-};
 
 }  // namespace
 
@@ -116,6 +81,7 @@ tinygltf::Model load_gltf(const InputFile& file) {
   const std::string_view content = file.content();
   if (content.size() > std::numeric_limits<std::uint32_t>::max())
     file.fail("is larger than the 4 GiB that glTF allows");
+  check_extensions(file);
   const auto size = static_cast<unsigned>(content.size());
   const std::string folder = std::filesystem::path(file.path()).parent_path().string();
   tinygltf::TinyGLTF parser;
@@ -130,19 +96,8 @@ tinygltf::Model load_gltf(const InputFile& file) {
           : parser.LoadASCIIFromString(&model, &error, &warning, std::to_address(content.begin()),
                                        size, folder);
   if (!loaded) file.fail("is not valid glTF: " + one_line(error));
-  check_supported(file, model);
+  check_version(file, model);
   return model;
-}
-
-PlacedMesh first_mesh(const InputFile& file, const tinygltf::Model& model) {
-  if (!model.scenes.empty()) {
-    const int shown = std::max(model.defaultScene, 0);
-    const tinygltf::Scene& scene = element(file, model.scenes, shown, "scene");
-    SceneSearch search(file, model);
-    if (const auto found = search.below(scene.nodes, Eigen::Affine3d::Identity(), 0)) return *found;
-  }
-  if (model.meshes.empty()) file.fail("has no mesh");
-  return {model.meshes.data(), Eigen::Affine3d::Identity()};
 }
 
 }  // namespace isomatch::mesh_io

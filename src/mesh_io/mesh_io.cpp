@@ -13,25 +13,29 @@
 
 #include "isomatch/error.h"
 #include "mesh_io/formats.h"
+#include "mesh_io/polygon.h"
 #include "text_cursor.h"
 
 namespace isomatch {
 namespace {
 
+using mesh_io::read_only_mesh;
+
 struct Format {
   std::string_view ending;
-  mesh_io::ReadResult (*read)(const InputFile&);
+  mesh_io::ReadResult (*read)(const InputFile&, const MeshReadOptions&);
   /// Null where there is no writer.
   void (*write)(const Mesh&, AtomicFile&);
 };
 
-constexpr std::array<Format, 7> kFormats = {{{".off", mesh_io::read_off, mesh_io::write_off},
-                                             {".obj", mesh_io::read_obj, mesh_io::write_obj},
-                                             {".ply", mesh_io::read_ply, mesh_io::write_ply},
-                                             {".glb", mesh_io::read_gltf, mesh_io::write_glb},
-                                             {".gltf", mesh_io::read_gltf, mesh_io::write_gltf},
-                                             {".mat", mesh_io::read_mat, mesh_io::write_mat},
-                                             {".stl", mesh_io::read_stl, nullptr}}};
+constexpr std::array<Format, 7> kFormats = {
+    {{".off", read_only_mesh<mesh_io::read_off>, mesh_io::write_off},
+     {".obj", read_only_mesh<mesh_io::read_obj>, mesh_io::write_obj},
+     {".ply", read_only_mesh<mesh_io::read_ply>, mesh_io::write_ply},
+     {".glb", mesh_io::read_gltf, mesh_io::write_glb},
+     {".gltf", mesh_io::read_gltf, mesh_io::write_gltf},
+     {".mat", read_only_mesh<mesh_io::read_mat>, mesh_io::write_mat},
+     {".stl", read_only_mesh<mesh_io::read_stl>, nullptr}}};
 
 const Format* find_format(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
@@ -60,24 +64,29 @@ const Format& writable_format_of(const std::string& path) {
 
 namespace mesh_io {
 
-void check_size(const Mesh& mesh, const InputFile& file) {
+void complete(ReadResult& result, const InputFile& file) {
+  const Mesh& mesh = result.mesh;
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
   if (mesh.vertices.empty()) file.fail("the mesh has no vertices");
   if (mesh.faces.empty()) file.fail("the mesh has no faces");
   if (std::max(mesh.vertices.size(), mesh.faces.size()) > kMost)
     file.fail("the mesh has more vertices or triangles than this program can number");
+  cut_polygons(result);
+  if (result.short_faces > 0)
+    result.report.warnings.push_back(
+        fmt::format("faces of fewer than three corners, left out: {}", result.short_faces));
 }
 
 }  // namespace mesh_io
 
 bool is_mesh_file_name(const std::string& path) { return find_format(path) != nullptr; }
 
-Mesh read_mesh(const std::string& path, MeshReadReport* report) {
+Mesh read_mesh(const std::string& path, MeshReadReport* report, const MeshReadOptions& options) {
   // A file that is missing is told as such, whatever its name.
   const InputFile file(path);
   const Format& format = format_of(path);
-  mesh_io::ReadResult result = format.read(file);
-  mesh_io::check_size(result.mesh, file);
+  mesh_io::ReadResult result = format.read(file, options);
+  mesh_io::complete(result, file);
   if (report) *report = std::move(result.report);
   return std::move(result.mesh);
 }

@@ -19,13 +19,13 @@ bool ends_with(const std::string& path, std::string_view ending) {
   return equal_ignoring_case(std::filesystem::path(path).extension().string(), ending);
 }
 
-using Read = mesh_io::ReadResult (*)(const InputFile&);
+using Read = mesh_io::ReadResult (*)(const InputFile&, const MeshReadOptions&);
 using Write = void (*)(const Model&, AtomicFile&);
 
 /// Null for formats that have a mesh and nothing else.
 Read reader_of(const std::string& path) {
-  if (ends_with(path, ".obj")) return mesh_io::read_textured_obj;
-  if (ends_with(path, ".ply")) return mesh_io::read_colored_ply;
+  if (ends_with(path, ".obj")) return mesh_io::read_only_mesh<mesh_io::read_textured_obj>;
+  if (ends_with(path, ".ply")) return mesh_io::read_only_mesh<mesh_io::read_colored_ply>;
   if (ends_with(path, ".glb") || ends_with(path, ".gltf")) return mesh_io::read_gltf_model;
   return nullptr;
 }
@@ -62,12 +62,12 @@ void validate(const Model& model) {
   }
 }
 
-Model read_model(const std::string& path, MeshReadReport* report) {
+Model read_model(const std::string& path, MeshReadReport* report, const MeshReadOptions& options) {
   const Read read = reader_of(path);
-  if (!read) return {read_mesh(path, report), {}, {}, {}};
+  if (!read) return {read_mesh(path, report, options), {}, {}, {}};
   const InputFile file(path);
-  mesh_io::ReadResult result = read(file);
-  mesh_io::check_size(result.mesh, file);
+  mesh_io::ReadResult result = read(file, options);
+  mesh_io::complete(result, file);
   if (report) *report = std::move(result.report);
   Model model{std::move(result.mesh), std::move(result.colors), std::move(result.texture),
               std::move(result.poses)};

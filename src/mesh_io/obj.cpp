@@ -68,7 +68,6 @@ class ObjReader {
       if (textured_) face_coordinates_.push_back(coordinates_of(cursor_.peek_word()));
       polygon.add_corner(read_corner());
     }
-    check_corners(cursor_, polygon.corners());
     if (textured_) cover_fan();
   }
 

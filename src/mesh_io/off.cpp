@@ -16,9 +16,9 @@
 namespace isomatch::mesh_io {
 namespace {
 
-// The shortest vertex is "0 0 0\n", the shortest face "3 0 0 0\n".
+// The shortest vertex is "0 0 0\n", the shortest face, which is left out, "0\n".
 constexpr int kVertexBytes = 6;
-constexpr int kFaceBytes = 8;
+constexpr int kFaceBytes = 2;
 
 /// Texture coordinates, colours and normals stand behind the position, where they are passed over.
 constexpr std::array<std::string_view, 8> kKeywords = {"OFF",   "COFF",   "NOFF",   "CNOFF",
@@ -77,7 +77,7 @@ void read_faces(TextCursor& cursor, int count, ReadResult& result) {
     if (!cursor.find_content())
       cursor.fail(fmt::format("the file ends after {} of {} faces", i, count));
     const std::int64_t corners = cursor.integer();
-    check_corners(cursor, corners);
+    if (corners < 0) cursor.fail(fmt::format("a face cannot have {} corners", corners));
     Polygon polygon(result);
     for (std::int64_t corner = 0; corner < corners; ++corner)
       polygon.add_corner(checked_index(cursor, cursor.integer(), result.mesh.num_vertices()));

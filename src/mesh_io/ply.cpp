@@ -92,7 +92,6 @@ class PlyReader {
     if (element.count == 0) return;
     result_.mesh.faces.reserve(result_.mesh.faces.size() + element.count);
     read_lists(element, index_list(element), [this](std::int64_t corners, PlyType type) {
-      check_corners(body_, corners);
       Polygon polygon(result_);
       for (std::int64_t corner = 0; corner < corners; ++corner)
         polygon.add_corner(checked_index(body_, whole_number(type), num_vertices_));

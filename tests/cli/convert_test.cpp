@@ -129,6 +129,14 @@ TEST_F(Convert, PointsNeedTheTarget) {
   EXPECT_THAT(refusal("map.txt", "map.vts"), HasSubstr("unmatched"));
 }
 
+TEST_F(Convert, OneMeshOfASceneIsChosenByItsName) {
+  convert("source.off", "a.glb");
+  convert("a.glb", "all.off");
+  convert("a.glb", "one.off", {"--mesh", "mesh"});
+  EXPECT_EQ(bytes("one.off"), bytes("all.off"));
+  EXPECT_THAT(refusal("a.glb", "b.off", {"--mesh", "eye"}), HasSubstr("only 'mesh'"));
+}
+
 TEST_F(Convert, BadInputIsRefused) {
   EXPECT_THAT(refusal("nowhere.glb", "a.off"), HasSubstr("nowhere.glb"));
   EXPECT_THAT(refusal("source.off", "a.stl"), HasSubstr("STL files are only read"));
@@ -137,6 +145,8 @@ TEST_F(Convert, BadInputIsRefused) {
   EXPECT_THAT(refusal("out", "a.glb", {"--alternative", "2"}), HasSubstr("no alternative 2"));
   EXPECT_THAT(refusal("source.off", "a.ply", {"--one-based"}), HasSubstr("for maps"));
   EXPECT_THAT(refusal("out", "a.glb", {"--write-one-based"}), HasSubstr("for maps"));
+  EXPECT_THAT(refusal("source.off", "a.ply", {"--mesh", "body"}), HasSubstr("glTF"));
+  EXPECT_THAT(refusal("out", "a.glb", {"--mesh", "body"}), HasSubstr("--mesh is for meshes"));
   EXPECT_THAT(refusal("source.off", "a.ply", {"--target", path("source.off")}),
               HasSubstr("for maps and results"));
   EXPECT_THAT(refusal("source.off", "a.ply", {"--alternative", "1"}), HasSubstr("for results"));

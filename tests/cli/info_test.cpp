@@ -54,6 +54,16 @@ TEST_F(Info, WarnsOfDefects) {
   EXPECT_THAT(outcome.output, HasSubstr("\n! 1 hole"));
 }
 
+TEST_F(Info, WhatTheReaderLeftOutIsAWarningOnStandardError) {
+  const std::string path =
+      folder_.write("short.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n");
+  const Outcome outcome = run({"info", "--json", path});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.errors,
+            "warning: " + path + ": faces of fewer than three corners, left out: 1\n");
+  EXPECT_EQ(nlohmann::json::parse(outcome.output)["read_warnings"].size(), 1U);
+}
+
 TEST_F(Info, PrintsJson) {
   const Outcome outcome = run({"info", "--json", write("torus.obj", torus(12, 8))});
   EXPECT_EQ(outcome.exit_code, 0);

@@ -42,14 +42,18 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string GltfText::json() const {
-  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)" +
-         node + R"(}],"meshes":[{"primitives":[)" + parts +
-         R"(]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3",)"
+  const std::string all_nodes = nodes.empty() ? R"({"mesh":0)" + node + "}" : nodes;
+  const std::string all_meshes = meshes.empty() ? R"({"primitives":[)" + parts + "]}" : meshes;
+  const std::string scene = scenes.empty() ? "" : R"("scene":0,"scenes":[)" + scenes + "],";
+  return R"({"asset":{"version":"2.0"},)" + scene + R"("nodes":[)" + all_nodes + R"(],"meshes":[)" +
+         all_meshes +
+         R"(],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3",)"
          R"("min":[0,0,-0.25],"max":[1.5,2,0]},)"
-         R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}],)"
-         R"("bufferViews":[{"buffer":0,"byteLength":48},)"
-         R"({"buffer":0,"byteOffset":48,"byteLength":24}],"buffers":[{"byteLength":72)" +
-         uri + "}]" + more + "}";
+         R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})" +
+         accessors +
+         R"(],"bufferViews":[{"buffer":0,"byteLength":48},)"
+         R"({"buffer":0,"byteOffset":48,"byteLength":24})" +
+         views + R"(],"buffers":[{"byteLength":)" + std::to_string(bytes) + uri + "}]" + more + "}";
 }
 
 std::string tetrahedron_buffer() {

@@ -66,7 +66,7 @@ TEST(MeshIo, RoundTripsAreExact) {
   const Mesh mesh = wild_mesh();
   for (const char* name : {"a.off", "a.obj", "a.ply", "a.mat"}) {
     write_mesh(folder.path(name), mesh);
-    MeshReadReport report{7, 7, {}};
+    MeshReadReport report{7, 7, {}, {}};
     const Mesh copy = read_mesh(folder.path(name), &report);
     EXPECT_TRUE(same_bits(copy.vertices, mesh.vertices)) << name;
     EXPECT_EQ(copy.faces, mesh.faces) << name;

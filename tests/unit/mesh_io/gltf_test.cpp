@@ -138,7 +138,7 @@ TEST(Gltf, MalformedFilesAreRefused) {
   EXPECT_THAT(error_with(R"("nodes":[{"mesh":0}])", R"("nodes":[{"children":[0]}])"),
               HasSubstr("two parents"));
   EXPECT_THAT(glb_error({.parts = R"({"attributes":{"POSITION":0},"mode":1})"}),
-              HasSubstr("no vertices"));
+              HasSubstr("no triangles, only lines or points"));
 }
 
 TEST(Gltf, CompressionIsNamedAsTheReason) {
@@ -147,6 +147,19 @@ TEST(Gltf, CompressionIsNamedAsTheReason) {
                 HasSubstr("needs the extension " + name));
   EXPECT_EQ(read_glb({.more = R"(,"extensionsRequired":["KHR_texture_transform"])"}).faces,
             tetrahedron().faces);
+}
+
+/// Compressed attributes have accessors without data, and buffers that are not there.
+TEST(Gltf, CompressionIsNamedBeforeTheHolesThatItLeaves) {
+  const std::string holes =
+      R"({"asset":{"version":"2.0"},"extensionsRequired":["EXT_meshopt_compression"],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+      R"("accessors":[{"componentType":5126,"count":4,"type":"VEC3"},{"count":3}],)"
+      R"("bufferViews":[{"buffer":1}],"buffers":[{"extensions":{}}]})";
+  EXPECT_THAT(read_error("glb", glb(holes, "1234")), HasSubstr("needs the extension EXT_meshopt"));
+  EXPECT_THAT(read_error("gltf", holes), HasSubstr("needs the extension EXT_meshopt"));
+  EXPECT_THAT(read_error("gltf", "\xEF\xBB\xBF" + holes), HasSubstr("EXT_meshopt"));
+  EXPECT_THAT(read_error("glb", glb(holes, "").substr(0, 30)), HasSubstr("not valid glTF"));
 }
 
 TEST(Gltf, IndicesOutOfRangeAndHugeCountsAreRefused) {

@@ -161,8 +161,7 @@ TEST(ReadOff, NamesBadFaces) {
             "line 7: vertex index -1 is out of range, there are 3 vertices counted from 0");
   EXPECT_EQ(error("3 0 1 4294967296"),
             "line 7: vertex index 4294967296 is out of range, there are 3 vertices counted from 0");
-  EXPECT_EQ(error("2 0 1"), "line 7: a face needs at least 3 corners, this one has 2");
-  EXPECT_EQ(error("-3 0 1 2"), "line 7: a face needs at least 3 corners, this one has -3");
+  EXPECT_EQ(error("-3 0 1 2"), "line 7: a face cannot have -3 corners");
   EXPECT_EQ(error("4 0 1 2"), "line 7: expected an integer, but the line ends");
   EXPECT_EQ(error("9000000000000000000 0 1 2"), "line 7: expected an integer, but the line ends");
   EXPECT_EQ(error("3 0 1 2.0"), "line 7: expected an integer, found '2.0'");

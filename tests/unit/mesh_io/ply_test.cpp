@@ -242,7 +242,7 @@ TEST(ReadPly, NamesBadAsciiValues) {
   EXPECT_EQ(read_error("ply", kAsciiHeader + kAsciiVertices + "3 0 1 4\n" + kAsciiFaces),
             "line 14: vertex index 4 is out of range, there are 4 vertices counted from 0");
   EXPECT_EQ(read_error("ply", kAsciiHeader + kAsciiVertices + "2 0 1 4\n" + kAsciiFaces),
-            "line 14: a face needs at least 3 corners, this one has 2");
+            "line 14: expected the end of the line, found '4'");
   EXPECT_EQ(read_error("ply", kAsciiHeader + kAsciiVertices + "-3 0 1 4\n" + kAsciiFaces),
             "line 14: a list of -3 entries");
   EXPECT_EQ(read_error("ply", kAsciiHeader + kAsciiVertices + "9999999999 0 1\n" + kAsciiFaces),
@@ -262,7 +262,7 @@ TEST(ReadPly, NamesBadBinaryValues) {
             place(16) + "the coordinate nan is not finite");
   EXPECT_EQ(error(32, bytes<float>(kLittle, {-std::numeric_limits<float>::infinity()})),
             place(32) + "the coordinate -inf is not finite");
-  EXPECT_EQ(error(36, "\x02"), place(36) + "a face needs at least 3 corners, this one has 2");
+  EXPECT_EQ(error(36, "\x02"), place(45) + "more bytes follow than the file announces");
   EXPECT_EQ(error(36, "\xff"), place(49) + "the file ends too early");
   EXPECT_EQ(error(41, bytes<std::int32_t>(kLittle, {-1})),
             place(41) + "vertex index -1 is out of range, there are 3 vertices counted from 0");
