@@ -13,13 +13,6 @@ namespace isomatch {
 void validate(const Mesh& mesh) {
   if (mesh.vertices.empty()) throw InvalidInput("the mesh has no vertices");
   if (mesh.faces.empty()) throw InvalidInput("the mesh has no faces");
-  for (int v = 0; v < mesh.num_vertices(); ++v) {
-    if (mesh.vertices[v].allFinite() && mesh.vertices[v].cwiseAbs().maxCoeff() > kLargestCoordinate)
-      throw InvalidInput(
-          fmt::format("vertex {} has a coordinate beyond {:g}, of which areas have "
-                      "no finite value",
-                      v, kLargestCoordinate));
-  }
   for (int f = 0; f < mesh.num_faces(); ++f) {
     for (int v : mesh.faces[f]) {
       if (v < 0 || v >= mesh.num_vertices())

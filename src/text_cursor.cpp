@@ -97,13 +97,22 @@ std::string TextCursor::rest_of_line() {
   return result;
 }
 
-double TextCursor::number() { return parse_number("a number"); }
+double TextCursor::coordinate() { return parse_number("a number"); }
+
+double TextCursor::number() {
+  skip_blanks();
+  const char* const start = position_;
+  const double value = parse_number("a number");
+  if (std::isfinite(value)) return value;
+  position_ = start;
+  fail_number("a finite number");
+}
 
 double TextCursor::whole_number() {
   skip_blanks();
   const char* const start = position_;
   const double value = parse_number("an integer");
-  if (value == std::floor(value)) return value;
+  if (std::isfinite(value) && value == std::floor(value)) return value;
   position_ = start;
   fail_number("an integer");
 }
@@ -117,7 +126,6 @@ double TextCursor::parse_number(std::string_view expected) {
     if (!is_tiny({position_, last})) fail_number("a number that fits a double");
     value = 0;
   }
-  if (!std::isfinite(value)) fail_number("a finite number");
   position_ = last;
   return value;
 }

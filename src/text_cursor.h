@@ -43,7 +43,10 @@ class TextCursor {
   /// The rest of this line without the blanks around it; a # is part of it. A joined line follows
   /// after a blank.
   std::string rest_of_line();
-  /// The next word as a finite number; one that is too small for a double is zero.
+  /// The next word as a number, "nan" and "inf" among them; one that is too small for a double is
+  /// zero.
+  double coordinate();
+  /// The same, which must be finite.
   double number();
   /// The same, which must be whole; 2.0 and 2e0 are.
   double whole_number();

@@ -22,12 +22,9 @@ struct Mesh {
   int num_faces() const { return static_cast<int>(faces.size()); }
 };
 
-/// The largest coordinate that is computed with, so that areas and their sums are finite.
-inline constexpr double kLargestCoordinate = 1e100;
-
-/// Throws `InvalidInput` if `mesh` has no vertices or faces, an index out of range, or a finite
-/// coordinate beyond `kLargestCoordinate`. Coordinates may be infinite or not a number, as in 7 of
-/// 62 published scans of skulls: their vertices are no part of the surface. O(N).
+/// Throws `InvalidInput` if `mesh` has no vertices or faces, or an index out of range. Coordinates
+/// may be infinite or not a number, as in 7 of 62 published scans of skulls: such vertices are no
+/// part of the surface. O(N).
 void validate(const Mesh& mesh);
 
 /// The same, and that all coordinates are finite.

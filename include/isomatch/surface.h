@@ -14,7 +14,8 @@ inline constexpr int kNoVertex = -1;
 ///
 /// `mesh` is the connected component of largest area, without degenerate faces (a repeated vertex,
 /// or an area that is zero up to the rounding of the coordinates), without duplicate faces (the
-/// same three vertices as a face of lower index) and without unreferenced vertices. It may have
+/// same three vertices as a face of lower index), without faces that have a vertex that is not
+/// finite or stray (see `MeshDiagnosis`), and without unreferenced vertices. It may have
 /// boundaries, non-manifold edges and vertices, and inconsistently oriented faces. Every vertex has
 /// a face.
 ///
@@ -46,7 +47,8 @@ struct Surface {
 /// Extracts the matchable surface of `input`, vertices and faces numbered along a Hilbert curve,
 /// which makes geodesics on a million vertices two to three times as fast. Of duplicate faces and
 /// of coinciding vertices the lowest counts, of components of equal area the first along the curve.
-/// Throws `InvalidInput` if `input` fails `validate` or has no face of positive area. O(N log N).
+/// Throws `InvalidInput` if `input` fails `validate`, has a coordinate beyond 1e100, or has no face
+/// of positive area. O(N log N).
 Surface extract_surface(const Mesh& input);
 
 }  // namespace isomatch

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string_view>
@@ -34,13 +33,6 @@ int checked_index(const Cursor& at, std::int64_t index, int num_vertices) {
     at.fail(fmt::format("vertex index {} is out of range, there are {} vertices counted from 0",
                         index, num_vertices));
   return static_cast<int>(index);
-}
-
-/// `value` if it is finite.
-template <class Cursor>
-double checked_coordinate(const Cursor& at, double value) {
-  if (!std::isfinite(value)) at.fail(fmt::format("the coordinate {} is not finite", value));
-  return value;
 }
 
 }  // namespace isomatch::mesh_io

@@ -143,7 +143,6 @@ class GltfReader {
       Point point = values.row(v);
       // Leaves every bit as it is where nothing moves.
       if (here_.is_moved) point = here_.transform * point;
-      if (!point.allFinite()) file_.fail("a coordinate is not finite");
       result_.mesh.vertices.push_back(point);
     }
   }

@@ -128,7 +128,9 @@ class GltfWriter {
   void append_float(double value) {
     const auto narrow = static_cast<float>(value);
     if (!std::isfinite(narrow))
-      throw BadFile(file_.path(), "a coordinate is too large for the 32 bits that glTF has for it");
+      throw BadFile(
+          file_.path(),
+          "a coordinate is not finite, or too large for the 32 bits that glTF has for it");
     append(narrow);
   }
 

@@ -120,7 +120,7 @@ std::vector<Point> joined(const InputFile& file, const Arrays& arrays) {
     file.fail("X, Y and Z are not equally many");
   std::vector<Point> points(count);
   for (std::size_t v = 0; v < count; ++v)
-    for (int k = 0; k < 3; ++k) points[v][k] = checked_coordinate(file, axes[k]->values[v]);
+    for (int k = 0; k < 3; ++k) points[v][k] = axes[k]->values[v];
   return points;
 }
 
@@ -130,7 +130,7 @@ std::vector<Point> points_of(const InputFile& file, const Arrays& arrays) {
   const Triples triples(file, name, *arrays.at(name));
   std::vector<Point> points(triples.size());
   for (int v = 0; v < triples.size(); ++v)
-    for (int k = 0; k < 3; ++k) points[v][k] = checked_coordinate(file, triples(v, k));
+    for (int k = 0; k < 3; ++k) points[v][k] = triples(v, k);
   return points;
 }
 

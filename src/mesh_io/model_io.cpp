@@ -55,10 +55,6 @@ void validate(const Model& model) {
     if (pose.vertices.size() != vertices)
       throw InvalidInput(
           fmt::format("pose {} does not have as many vertices as the mesh", in_quotes(pose.name)));
-    for (const Point& point : pose.vertices)
-      if (!point.allFinite())
-        throw InvalidInput(
-            fmt::format("pose {} has a coordinate that is not finite", in_quotes(pose.name)));
   }
 }
 

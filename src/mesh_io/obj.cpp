@@ -57,7 +57,7 @@ class ObjReader {
 
   /// A weight or a colour may follow the position. The weight matters to rational curves only.
   void read_vertex() {
-    const double x = cursor_.number(), y = cursor_.number(), z = cursor_.number();
+    const double x = cursor_.coordinate(), y = cursor_.coordinate(), z = cursor_.coordinate();
     result_.mesh.vertices.emplace_back(x, y, z);
   }
 

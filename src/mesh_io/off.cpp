@@ -65,7 +65,7 @@ void read_vertices(TextCursor& cursor, int count, Mesh& mesh) {
   for (int i = 0; i < count; ++i) {
     if (!cursor.find_content())
       cursor.fail(fmt::format("the file ends after {} of {} vertices", i, count));
-    const double x = cursor.number(), y = cursor.number(), z = cursor.number();
+    const double x = cursor.coordinate(), y = cursor.coordinate(), z = cursor.coordinate();
     mesh.vertices.emplace_back(x, y, z);
     cursor.skip_line();
   }

@@ -70,7 +70,7 @@ class PlyReader {
       for (std::size_t k = 0; k < axes.size(); ++k) {
         const PlyType type = element.properties[k].type;
         if (axes[k] != kNoAxis)
-          point[axes[k]] = checked_coordinate(body_, body_.scalar(type));
+          point[axes[k]] = body_.scalar(type);
         else if (colors_.channel(k) != PlyColors::kNoChannel)
           color[colors_.channel(k)] = checked_intensity(type);
         else

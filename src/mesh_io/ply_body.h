@@ -37,7 +37,7 @@ class AsciiPlyBody {
   /// The next value. Some programs write 200.0 for an integer.
   double scalar(PlyType type) {
     const bool floating = type == PlyType::kFloat32 || type == PlyType::kFloat64;
-    return floating ? cursor_.number() : cursor_.whole_number();
+    return floating ? cursor_.coordinate() : cursor_.whole_number();
   }
   /// Passes over `count` values. What they are is not looked at: normals may well be nan.
   void skip(PlyType, std::int64_t count) {

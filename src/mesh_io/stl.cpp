@@ -37,7 +37,7 @@ ReadResult finish(PointIndex points, std::vector<Face> faces) {
 
 Point read_point(StlCursor& cursor) {
   Point point;
-  for (double& coordinate : point) coordinate = checked_coordinate(cursor, cursor.take<float>());
+  for (double& coordinate : point) coordinate = cursor.take<float>();
   return point;
 }
 
@@ -95,7 +95,7 @@ class AsciiReader {
     Point point;
     for (double& coordinate : point) {
       cursor_.find_content();
-      coordinate = cursor_.number();
+      coordinate = cursor_.coordinate();
     }
     return points_.number_of(point);
   }

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "surface/sound_mesh.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include <utility>
 
 #include "bucket_sort.h"
+#include "isomatch/error.h"
 #include "isomatch/topology.h"
 #include "surface/hilbert.h"
 #include "surface/stray.h"
@@ -49,6 +52,15 @@ double sound_area(const Mesh& mesh, const Face& face) {
   return doubled > kRounding * coordinate * longest ? doubled / 2 : 0;
 }
 
+void check_range(const Mesh& mesh, std::span<const VertexKind> kinds) {
+  constexpr double kLargest = 1e100;  // Areas and their sums are finite.
+  for (int v = 0; v < mesh.num_vertices(); ++v) {
+    if (kinds[v] == VertexKind::kSound && mesh.vertices[v].cwiseAbs().maxCoeff() > kLargest)
+      throw InvalidInput(fmt::format(
+          "vertex {} has a coordinate beyond {:g}, of which areas are not finite", v, kLargest));
+  }
+}
+
 /// The vertices of `input`, those that are not finite at a place where no other is.
 std::vector<Point> finite_vertices(const Mesh& input, std::span<const VertexKind> kinds) {
   std::vector<Point> points = input.vertices;
@@ -84,6 +96,7 @@ SoundMesh renumbered(const Mesh& input, std::span<const VertexKind> kinds) {
 
 SoundMesh sound_mesh(const Mesh& input) {
   const std::vector<VertexKind> kinds = vertex_kinds(input);
+  check_range(input, kinds);
   SoundMesh sound = renumbered(input, kinds);
   const std::vector<Face> faces = std::exchange(sound.mesh.faces, {});
   sound.mesh.faces.reserve(faces.size());

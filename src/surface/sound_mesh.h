@@ -27,7 +27,8 @@ struct SoundMesh {
   int not_finite_vertices = 0, stray_vertices = 0;
 };
 
-/// Sorts out the vertices and faces of a valid mesh. O(N log N).
+/// Sorts out the vertices and faces of a valid mesh. Throws `InvalidInput` where coordinates are so
+/// large that areas have no finite value. O(N log N).
 SoundMesh sound_mesh(const Mesh& input);
 
 }  // namespace isomatch

@@ -239,8 +239,8 @@ struct PoseTransfer::Parts {
 
 PoseTransfer::PoseTransfer(const Mesh& source, const Mesh& target,
                            const SurfaceMap& target_to_source, const PoseTransferOptions& options) {
-  validate(source);
-  validate(target);
+  validate_finite(source);
+  validate_finite(target);
   transfer::check_map(target.num_vertices(), source, target_to_source);
   parts_ = std::make_unique<const Parts>(source, target, target_to_source, options);
 }
