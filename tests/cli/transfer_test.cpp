@@ -123,6 +123,9 @@ TEST_F(Transfer, LandmarksInBothForms) {
   const std::string landmarks = folder_.write("landmarks.txt", "5\n700\n5\n");
   expect_carried({"--landmarks", landmarks}, "carried.txt");
   EXPECT_EQ(bytes("carried.txt"), "9\n704\n9\n");
+  // .vts files are numbered from one, read and written.
+  expect_carried({"--landmarks", folder_.write("landmarks.vts", "6\n701\n6\n")}, "carried.vts");
+  EXPECT_EQ(bytes("carried.vts"), "10\n705\n10\n");
   expect_carried({"--landmarks", landmarks}, "carried.bary.txt");
   const SurfaceMap points = read_surface_map(path("carried.bary.txt"), {3, copy_.num_faces()});
   EXPECT_EQ(position(copy_, points[1]), copy_.vertices[704]);
