@@ -26,8 +26,8 @@ struct PoseTransferOptions {
 /// sparse Cholesky factorisation for all frames. Faces with an unmatched corner follow the nearest
 /// ones that are matched, along the surface; unmatched components move as stiffly as the nearest
 /// carried vertex says. Vertices split at seams stay together. Unless both share a rest pose,
-/// positions come out in the source's coordinates, distances from their origin times the ratio of sizes: what stands on a floor at the
-/// origin goes on doing so.
+/// positions come out in the source's coordinates, distances from their origin times the ratio of
+/// sizes: what stands on a floor at the origin goes on doing so.
 ///
 /// A target equal to the source follows any frame exactly, up to slivers.
 class PoseTransfer {

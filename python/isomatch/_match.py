@@ -202,7 +202,7 @@ class Match(Map):
         self._core.check_save(saved)
         os.makedirs(folder, exist_ok=True)
         for name, write in arrays.items():
-            write(os.path.join(folder, name))
+            write(os.fsdecode(os.path.join(folder, name)))
         self._core.save(saved)
         if report:
             page = os.path.join(folder, b"report.html")

@@ -37,7 +37,8 @@ std::vector<std::string> command_line(const SavedAs& saved, const cli::Json& opt
   std::vector<std::string> words{"isomatch",   "match", saved.source,
                                  saved.target, "-o",    saved.folder};
   for (const auto& [name, value] : options.items()) {
-    if ((defaults.contains(name) && value == defaults[name]) || name.ends_with("_escaped")) continue;
+    if ((defaults.contains(name) && value == defaults[name]) || name.ends_with("_escaped"))
+      continue;
     words.push_back((value == false ? "--no-" : "--") + name);
     if (value.is_string()) words.push_back(cli::get_path(options, name));
     if (value.is_number()) words.push_back(value.dump());

@@ -111,10 +111,10 @@ void bind_metrics(py::module_& module) {
   register_options<OrientationOptions>(module, "orientation");
   module.def("evaluate", evaluate_json);
   module.def("read_vts", [](const std::string& path) {
-    return read_vts(path, std::numeric_limits<int>::max() - 1);
+    return adopt(read_vts(path, std::numeric_limits<int>::max() - 1));
   });
   module.def("read_ground_truth", [](const std::string& path, int num_vertices) {
-    return read_ground_truth(path, num_vertices);
+    return adopt(read_ground_truth(path, num_vertices));
   });
   module.def("isometric_distortion", distortion);
   module.def("map_orientation", orientation);

@@ -66,11 +66,12 @@ class Transfer : public MatchProgram {
     EXPECT_EQ(outcome.errors, "");
   }
 
-  std::string refusal(const std::vector<std::string>& more) const {
-    const Outcome outcome = carry(more, "refused");
+  std::string refusal(const std::vector<std::string>& more,
+                      const std::string& output = "refused") const {
+    const Outcome outcome = carry(more, output);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1);
-    EXPECT_FALSE(fs::exists(path("refused")));
+    EXPECT_FALSE(fs::exists(path(output)));
     return outcome.errors;
   }
 
@@ -161,7 +162,8 @@ TEST_F(Transfer, TexturesUseTheirImagesFromWhereTheyAre) {
                  "again.obj");
   EXPECT_THAT(bytes("again.mtl"), HasSubstr("map_Kd art/my fur.png\n"));
   fs::remove(path("art/source.mtl"));
-  EXPECT_THAT(refusal({"--texture", path("art/source.obj")}), HasSubstr("source.mtl"));
+  EXPECT_THAT(refusal({"--texture", path("art/source.obj")}, "refused.obj"),
+              HasSubstr("source.mtl"));
 }
 
 TEST_F(Transfer, PosesGoIntoAFolder) {
@@ -188,8 +190,9 @@ TEST_F(Transfer, BadInputIsRefused) {
   EXPECT_THAT(refusal({"--poses", path("copy.ply")}), HasSubstr("copy.ply"));
   EXPECT_THAT(refusal({"--poses", path("source.off"), path("source.off")}),
               HasSubstr("two frames"));
-  EXPECT_THAT(refusal({"--landmarks", folder_.write("l.txt", "1\n100000\n")}), HasSubstr("line 2"));
-  EXPECT_THAT(refusal({"--colors", path("copy.ply")}), HasSubstr("no colours"));
+  EXPECT_THAT(refusal({"--landmarks", folder_.write("l.txt", "1\n100000\n")}, "refused.txt"),
+              HasSubstr("line 2"));
+  EXPECT_THAT(refusal({"--colors", path("copy.ply")}, "refused.ply"), HasSubstr("no colours"));
 }
 
 }  // namespace

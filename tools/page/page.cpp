@@ -79,12 +79,15 @@ void write_page(const std::string& path, const std::string& folder, const MeshPl
                 const PageOptions& options, const Context& context) {
   check_page_available();
   context.report(0, "reading");
-  const MatchResult result = load_result(folder, places);
+  MatchResult result = load_result(folder, places);
+  const bool is_own = is_own_page(path, folder);
+  // The page shows the report as it will be.
+  if (is_own) result.report = with_file(std::move(result.report), kPage);
   const std::string page = filled_page(page_template(), page_data(result, options, context));
   AtomicFile file(path);
   file.write(page);
   file.commit();
-  if (is_own_page(path, folder)) list_in_report(folder, kPage);
+  if (is_own) list_in_report(folder, kPage);
 }
 
 }  // namespace isomatch::cli

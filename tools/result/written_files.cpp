@@ -106,14 +106,19 @@ void write_listing(const std::string& folder, const std::string& name, Json repo
   file.commit();
 }
 
+Json with_file(Json report, const std::string& name) {
+  std::vector<std::string> files = files_of(report);
+  // The report itself stays the last of the list.
+  if (std::ranges::count(files, name) == 0) files.insert(std::ranges::find(files, kReport), name);
+  set_paths(report, "files", files);
+  return report;
+}
+
 void list_in_report(const std::string& folder, const std::string& name) {
   const std::optional<Json> report = read_own(fs::path(folder) / kReport);
-  if (!report) return;
-  std::vector<std::string> files = files_of(*report);
-  if (std::ranges::count(files, name) > 0) return;
-  // The report itself stays the last of the list.
-  files.insert(std::ranges::find(files, kReport), name);
-  write_listing(folder, kReport, *report, files);
+  if (!report || std::ranges::count(files_of(*report), name) > 0) return;
+  const Json listed = with_file(*report, name);
+  write_listing(folder, kReport, listed, files_of(listed));
 }
 
 }  // namespace isomatch::cli

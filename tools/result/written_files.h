@@ -33,6 +33,9 @@ void check_replaceable(const std::string& folder, const std::vector<std::string>
 void write_listing(const std::string& folder, const std::string& name, Json report,
                    std::vector<std::string> files);
 
+/// `report` with a file more in its list.
+Json with_file(Json report, const std::string& name);
+
 /// Adds a file to the list of the report.json in `folder`.
 void list_in_report(const std::string& folder, const std::string& name);
 
