@@ -20,6 +20,7 @@
 #include "isomatch/topology.h"
 #include "npz.h"
 #include "text_cursor.h"
+#include "whole_number.h"
 
 namespace isomatch {
 namespace {
@@ -42,12 +43,16 @@ struct Line {
   TextCursor cursor;
 };
 
+Line read_line(TextCursor& cursor) {
+  const TextCursor before = cursor;
+  return {whole_number(cursor), before};
+}
+
 std::vector<Line> read_lines(const InputFile& file) {
   std::vector<Line> lines;
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   while (cursor.find_content()) {
-    const TextCursor before = cursor;
-    lines.push_back({cursor.integer(), before});
+    lines.push_back(read_line(cursor));
     if (!cursor.at_line_end())
       cursor.fail("one vertex a line expected; a file of points is named .bary.txt");
   }
@@ -62,6 +67,68 @@ MapReadReport detected(const std::vector<Line>& lines, const MapChecks& checks) 
   if (checks.target_vertices && high == *checks.target_vertices && low > kUnmatched)
     return {Numbering::kFromOne, false};
   return {Numbering::kFromZero, low > 0};
+}
+
+/// A line of a list of pairs, and where its words stand.
+struct PairLine {
+  Line source, target;
+};
+
+std::vector<PairLine> read_pairs(const InputFile& file) {
+  std::vector<PairLine> pairs;
+  for (TextCursor cursor(file, kNumberLines); cursor.find_content(); cursor.skip_line()) {
+    const Line source = read_line(cursor);
+    pairs.push_back({source, read_line(cursor)});
+  }
+  return pairs;
+}
+
+/// As `detected`: numbered from one where nothing else can be.
+MapReadReport detected(const std::vector<PairLine>& pairs, const MapChecks& checks) {
+  bool past_end = false, has_zero = false;
+  for (const auto& [source, target] : pairs) {
+    has_zero |= source.number <= 0 || target.number <= 0;
+    past_end |= source.number == checks.source_vertices.value_or(kUnmatched) ||
+                target.number == checks.target_vertices.value_or(kUnmatched);
+  }
+  if (past_end && !has_zero) return {Numbering::kFromOne, false};
+  return {Numbering::kFromZero, !has_zero};
+}
+
+int checked_vertex(const Line& line, std::string_view shape, std::optional<int> count, int first) {
+  const std::int64_t end = std::int64_t{first} + count.value_or(kMost - 1);
+  if (line.number < first || line.number >= end)
+    line.cursor.fail(count ? fmt::format("vertex {} is out of range: the {} has {} vertices, "
+                                         "numbered from {}",
+                                         line.number, shape, *count, first)
+                           : fmt::format("{} is no vertex numbered from {}", line.number, first));
+  return static_cast<int>(line.number - first);
+}
+
+/// Whether `path` is a text file that begins with a pair.
+bool lists_pairs(const std::string& path) {
+  if (is_point_map_file_name(path) || !(has_ending(path, ".txt") || has_ending(path, ".map")))
+    return false;
+  const InputFile file(path);
+  TextCursor cursor(file, kNumberLines);
+  if (!cursor.find_content()) return false;
+  cursor.word();
+  return !cursor.at_line_end();
+}
+
+Correspondence read_pair_list(const std::string& path, const MapChecks& checks,
+                              std::optional<Numbering> numbering, MapReadReport& used) {
+  const InputFile file(path);
+  const std::vector<PairLine> pairs = read_pairs(file);
+  used = numbering ? MapReadReport{*numbering, false} : detected(pairs, checks);
+  const int first = static_cast<int>(used.numbering);
+  Correspondence matches;
+  for (const auto& [source, target] : pairs)
+    matches.push_back({checked_vertex(source, "source", checks.source_vertices, first),
+                       checked_vertex(target, "target", checks.target_vertices, first)});
+  std::ranges::sort(matches);
+  matches.erase(std::ranges::unique(matches).begin(), matches.end());
+  return matches;
 }
 
 VertexMap numbered_from_zero(const std::vector<Line>& lines, int first, int lowest,
@@ -90,7 +157,7 @@ void check_length(const InputFile& file, std::size_t length, const MapChecks& ch
 
 int line_count(const InputFile& file) {
   int lines = 0;
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   for (; cursor.find_content(); cursor.skip_line()) ++lines;
   return lines;
 }
@@ -210,6 +277,8 @@ SurfaceMap shifted(SurfaceMap map, int by) {
 
 bool is_point_map_file_name(const std::string& path) { return has_ending(path, ".bary.txt"); }
 
+bool is_vts_file_name(const std::string& path) { return has_ending(path, ".vts"); }
+
 bool is_map_file_name(const std::string& path) {
   return std::ranges::any_of(std::array{".txt", ".map", ".vts", ".npz"},
                              [&](const char* ending) { return has_ending(path, ending); });
@@ -234,7 +303,7 @@ MapContent read_map(const std::string& path, const MapChecks& checks,
     const InputFile file(path);
     const std::vector<Line> lines = read_lines(file);
     check_length(file, lines.size(), checks);
-    const bool is_vts = has_ending(path, ".vts");
+    const bool is_vts = is_vts_file_name(path);
     if (is_vts)
       used.numbering = Numbering::kFromOne;
     else if (!numbering)
@@ -244,6 +313,28 @@ MapContent read_map(const std::string& path, const MapChecks& checks,
   }
   if (report) *report = used;
   return map;
+}
+
+MatchContent read_matches(const std::string& path, const MapChecks& checks,
+                          std::optional<Numbering> numbering, MapReadReport* report) {
+  check_name(path);
+  if (!lists_pairs(path)) {
+    MapContent map = read_map(path, checks, numbering, report);
+    return {to_correspondence(map.source_to_target), std::move(map.points)};
+  }
+  MapReadReport used;
+  MatchContent content{read_pair_list(path, checks, numbering, used), {}};
+  if (report) *report = used;
+  return content;
+}
+
+std::vector<int> read_ground_truth(const std::string& path, std::optional<int> num_vertices) {
+  std::vector<int> vertices =
+      read_map(path, {std::nullopt, num_vertices, std::nullopt}).source_to_target;
+  if (vertices.empty()) throw BadFile(path, "points on triangles are no template's vertices");
+  if (const auto none = std::ranges::find(vertices, kUnmatched); none != vertices.end())
+    throw BadFile(path, fmt::format("template point {} has no vertex", none - vertices.begin()));
+  return vertices;
 }
 
 void write_map(const std::string& path, const MapContent& map, Numbering numbering) {
@@ -258,7 +349,7 @@ void write_map(const std::string& path, const MapContent& map, Numbering numberi
     write_arrays(path, map);
   } else if (is_points) {
     write_surface_map(path, shifted(map.points, first));
-  } else if (!has_ending(path, ".vts")) {
+  } else if (!is_vts_file_name(path)) {
     write_source_to_target(path, shifted(vertices, first));
   } else {
     if (std::ranges::find(vertices, kUnmatched) != vertices.end())

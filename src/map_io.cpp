@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <string_view>
 
@@ -15,6 +16,7 @@
 #include "isomatch/error.h"
 #include "isomatch/topology.h"
 #include "text_cursor.h"
+#include "whole_number.h"
 
 namespace isomatch {
 namespace {
@@ -43,7 +45,7 @@ VertexRange target_range(VertexCounts counts, Numbering numbering) {
 /// The next word as a 0-based vertex; `kUnmatched` only if `may_be_unmatched`.
 int read_vertex(TextCursor& cursor, const VertexRange& range, bool may_be_unmatched) {
   const TextCursor before = cursor;
-  const std::int64_t number = cursor.integer();
+  const std::int64_t number = whole_number(cursor);
   const std::int64_t lowest = range.first - (may_be_unmatched ? 1 : 0);
   if (number < lowest || number >= std::int64_t{range.first} + range.count)
     fail_out_of_range(before, number, range);
@@ -53,7 +55,7 @@ int read_vertex(TextCursor& cursor, const VertexRange& range, bool may_be_unmatc
 VertexMap read_map_lines(const InputFile& file, VertexCounts counts, Numbering numbering) {
   const VertexRange targets = target_range(counts, numbering);
   VertexMap source_to_target;
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   while (cursor.find_content()) {
     source_to_target.push_back(read_vertex(cursor, targets, true));
     cursor.expect_line_end();
@@ -68,7 +70,7 @@ Correspondence read_pair_lines(const InputFile& file, VertexCounts counts, Numbe
   const VertexRange sources = source_range(counts, numbering);
   const VertexRange targets = target_range(counts, numbering);
   Correspondence matches;
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   while (cursor.find_content()) {
     const int source = read_vertex(cursor, sources, false);
     matches.push_back({source, read_vertex(cursor, targets, false)});
@@ -84,7 +86,7 @@ std::vector<Match> read_landmark_lines(const InputFile& file, VertexCounts count
   const VertexRange targets = target_range(counts, Numbering::kFromZero);
   std::vector<char> taken(counts.source, 0);
   std::vector<Match> landmarks;
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   while (cursor.find_content()) {
     const TextCursor before = cursor;
     const int source = read_vertex(cursor, sources, false);
@@ -100,7 +102,7 @@ std::vector<Match> read_landmark_lines(const InputFile& file, VertexCounts count
 std::vector<int> read_vertex_lines(const std::string& path, const VertexRange& range) {
   const InputFile file(path);
   std::vector<int> vertices;
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   while (cursor.find_content()) {
     vertices.push_back(read_vertex(cursor, range, false));
     cursor.expect_line_end();
@@ -125,7 +127,7 @@ std::array<double, 3> read_weights(TextCursor& cursor) {
 
 SurfacePoint read_surface_point(TextCursor& cursor, int num_faces, int first) {
   const TextCursor before = cursor;
-  const std::int64_t number = cursor.integer();
+  const std::int64_t number = whole_number(cursor);
   if (number < std::int64_t{first} - 1 || number >= std::int64_t{first} + num_faces)
     before.fail(fmt::format("face {} is out of range: the target has {} faces, numbered from {}",
                             number, num_faces, first));
@@ -139,7 +141,7 @@ SurfacePoint read_surface_point(TextCursor& cursor, int num_faces, int first) {
 }
 
 bool first_line_has_two_words(const InputFile& file) {
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   if (!cursor.find_content()) file.fail("no vertices in it");
   cursor.word();
   return !cursor.at_line_end();
@@ -177,7 +179,7 @@ std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts) 
 SurfaceMap read_surface_map(const std::string& path, SurfaceMapCounts counts, Numbering numbering) {
   const InputFile file(path);
   SurfaceMap map;
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   while (cursor.find_content())
     map.push_back(read_surface_point(cursor, counts.target_faces, static_cast<int>(numbering)));
   if (std::ssize(map) != counts.source_vertices)
@@ -187,7 +189,8 @@ SurfaceMap read_surface_map(const std::string& path, SurfaceMapCounts counts, Nu
 }
 
 std::vector<int> read_vertex_list(const std::string& path, int num_vertices) {
-  return read_vertex_lines(path, {"shape", num_vertices, 0});
+  const bool is_vts = equal_ignoring_case(std::filesystem::path(path).extension().string(), ".vts");
+  return read_vertex_lines(path, {"shape", num_vertices, is_vts ? 1 : 0});
 }
 
 std::vector<int> read_vts(const std::string& path, int num_vertices) {

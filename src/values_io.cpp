@@ -16,6 +16,7 @@
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
 #include "text_cursor.h"
+#include "whole_number.h"
 
 namespace isomatch {
 namespace {
@@ -23,7 +24,7 @@ namespace {
 /// Calls `read_line` at the beginning of every line and checks their number.
 template <class ReadLine>
 void read_lines(const InputFile& file, int num_vertices, const ReadLine& read_line) {
-  TextCursor cursor(file);
+  TextCursor cursor(file, kNumberLines);
   int lines = 0;
   for (; cursor.find_content(); ++lines) {
     if (lines == num_vertices)
@@ -113,7 +114,7 @@ std::vector<int> read_labels(const std::string& path, int num_vertices) {
   std::vector<int> labels;
   read_lines(file, num_vertices, [&](TextCursor& cursor) {
     const TextCursor before = cursor;
-    const std::int64_t label = cursor.integer();
+    const std::int64_t label = whole_number(cursor);
     if (label < kNoLabel || label > std::numeric_limits<int>::max())
       before.fail(fmt::format("label {} is out of range", label));
     labels.push_back(static_cast<int>(label));

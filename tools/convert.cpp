@@ -12,6 +12,7 @@
 #include "isomatch/mesh_io.h"
 #include "isomatch/model_io.h"
 #include "load.h"
+#include "map_input.h"
 #include "result/result.h"
 #include "result/result_model.h"
 
@@ -32,7 +33,6 @@ struct ConvertArguments {
 
 void convert_result(const ConvertArguments& arguments) {
   const bool to_map = is_map_file_name(arguments.output);
-  to_map ? check_map_output(arguments.output) : check_mesh_output(arguments.output);
   const MatchResult result = load_result(arguments.input, arguments.places);
   const ResultMap& map = chosen_map(result, arguments.alternative);
   if (to_map)
@@ -57,18 +57,7 @@ void add_missing_form(MapContent& map, const ConvertArguments& arguments,
   if (needs_vertices) map.source_to_target = nearest_vertices(*target, map.points);
 }
 
-void print_numbering(const ConvertArguments& arguments, const MapReadReport& report,
-                     const MapChecks& checks) {
-  if (report.is_assumed)
-    fmt::print("{}: taken as numbered from zero; if it is not, say --one-based\n", arguments.input);
-  const bool is_told = arguments.one_based || arguments.input.ends_with(".vts");
-  if (report.numbering == Numbering::kFromOne && !is_told)
-    fmt::print("{}: numbered from one, since it names vertex {}\n", arguments.input,
-               checks.target_vertices.value_or(0));
-}
-
 void convert_map(const ConvertArguments& arguments) {
-  check_map_output(arguments.output);
   MapChecks checks;
   std::optional<Mesh> target;
   if (!arguments.places.source.empty())
@@ -78,11 +67,10 @@ void convert_map(const ConvertArguments& arguments) {
     checks.target_vertices = target->num_vertices();
     checks.target_faces = target->num_faces();
   }
-  std::optional<Numbering> numbering;
-  if (arguments.one_based) numbering = Numbering::kFromOne;
   MapReadReport report;
-  MapContent map = read_map(arguments.input, checks, numbering, &report);
-  print_numbering(arguments, report, checks);
+  MapContent map = read_map(arguments.input, checks, told_numbering(arguments.one_based), &report);
+  if (const auto note = numbering_note(arguments.input, report, arguments.one_based))
+    fmt::print("{}\n", *note);
   add_missing_form(map, arguments, target);
   write_map(arguments.output, map, arguments.output_numbering());
 }
@@ -101,8 +89,25 @@ void refuse_idle_options(const ConvertArguments& arguments) {
     throw InvalidInput("--source and --target are for maps and results");
 }
 
-void run_convert(const ConvertArguments& arguments) {
+/// Fails now rather than after the work.
+void check_convert(const ConvertArguments& arguments) {
   refuse_idle_options(arguments);
+  const bool is_result = std::filesystem::is_directory(arguments.input);
+  // Reading says what is wrong with another input.
+  if (!is_result && !is_map_file_name(arguments.input) && !is_mesh_file_name(arguments.input))
+    return;
+  const bool to_map =
+      is_map_file_name(arguments.output) && (is_result || is_map_file_name(arguments.input));
+  to_map ? check_map_output(arguments.output) : check_mesh_output(arguments.output);
+  InputFiles inputs =
+      is_result ? result_inputs(arguments.input, arguments.places) : InputFiles({arguments.input});
+  inputs.add(arguments.places.source);
+  inputs.add(arguments.places.target);
+  inputs.refuse(arguments.output);
+}
+
+void run_convert(const ConvertArguments& arguments) {
+  check_convert(arguments);
   if (std::filesystem::is_directory(arguments.input))
     convert_result(arguments);
   else if (is_map_file_name(arguments.input))

@@ -6,9 +6,10 @@
 
 #include "command.h"
 #include "evaluation.h"
-#include "isomatch/map_io.h"
+#include "isomatch/map_file.h"
 #include "isomatch/mesh_io.h"
 #include "load.h"
+#include "map_input.h"
 
 namespace isomatch::cli {
 namespace {
@@ -21,26 +22,30 @@ struct EvalArguments {
   EvaluationOptions options;
 };
 
-MeasuredMap read_map(const EvalArguments& arguments, const Shape& source, const Shape& target,
-                     int target_faces) {
-  const VertexCounts counts{input_vertex_count(source), input_vertex_count(target)};
-  const Numbering numbering = arguments.one_based ? Numbering::kFromOne : Numbering::kFromZero;
-  if (!arguments.map.ends_with(".bary.txt")) {
-    const Correspondence matches = read_correspondence(arguments.map, counts, numbering);
-    return {surface_matches(source.surface, target.surface, matches), {}};
-  }
-  const SurfaceMap points =
-      surface_map(source.surface, target.surface,
-                  read_surface_map(arguments.map, {counts.source, target_faces}, numbering));
+/// The numbers of the surfaces instead of those of the files. Points count where a file has both.
+MeasuredMap on_surfaces(const MatchContent& map, const Shape& source, const Shape& target) {
+  if (map.points.empty()) return {surface_matches(source.surface, target.surface, map.matches), {}};
+  const SurfaceMap points = surface_map(source.surface, target.surface, map.points);
   return {to_correspondence(nearest_vertices(target.surface.mesh, points)), points};
 }
 
-Evaluation evaluate(const EvalArguments& arguments, const Context& context) {
-  const Shape source = load_shape(arguments.source, context);
-  const Mesh target_mesh = load_mesh(arguments.target);
+struct Measured {
+  Evaluation evaluation;
+  MapReadReport map;
+};
+
+Measured measure(const EvalArguments& arguments, const Context& context) {
+  const Mesh source_mesh = load_mesh(arguments.source), target_mesh = load_mesh(arguments.target);
+  const MapChecks checks{source_mesh.num_vertices(), target_mesh.num_vertices(),
+                         target_mesh.num_faces()};
+  const Shape source = prepare_loaded(arguments.source, source_mesh, context);
   const Shape target = prepare_loaded(arguments.target, target_mesh, context);
-  const MeasuredMap map = read_map(arguments, source, target, target_mesh.num_faces());
-  return evaluate(source, target, map, arguments.truth, arguments.options, context);
+  Measured result;
+  const MatchContent map =
+      read_matches(arguments.map, checks, told_numbering(arguments.one_based), &result.map);
+  result.evaluation = evaluate(source, target, on_surfaces(map, source, target), arguments.truth,
+                               arguments.options, context);
+  return result;
 }
 
 void print_errors(std::string_view name, const ErrorStatistics& error) {
@@ -74,21 +79,27 @@ void print(const Evaluation& evaluation) {
 }
 
 void run_eval(const EvalArguments& arguments, const Context& context) {
-  const Evaluation evaluation = evaluate(arguments, context);
-  if (arguments.json)
-    fmt::print("{}\n", to_json(evaluation).dump(2));
-  else
-    print(evaluation);
+  const Measured measured = measure(arguments, context);
+  if (arguments.json) {
+    Json json{{"map_numbered_from", static_cast<int>(measured.map.numbering)}};
+    json.update(to_json(measured.evaluation));
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  if (const auto note = numbering_note(arguments.map, measured.map, arguments.one_based))
+    fmt::print("{}\n", *note);
+  print(measured.evaluation);
 }
 
 void add_files(CLI::App& command, EvalArguments& arguments) {
   command.add_option("SOURCE", arguments.source, "Mesh that the map starts from")->required();
   command.add_option("TARGET", arguments.target, "Mesh that the map leads to")->required();
   command
-      .add_option("MAP", arguments.map,
-                  "Target vertex of each source vertex, one a line; or source and target vertex a "
-                  "line; or, in a file named .bary.txt, target face and three weights of each "
-                  "source vertex")
+      .add_option(
+          "MAP", arguments.map,
+          "Target vertex of each source vertex, one a line (.txt .map .vts); or source and "
+          "target vertex a line (.txt .map); or target face and three weights of each source "
+          "vertex (.bary.txt); or arrays of either (.npz)")
       ->required();
   auto* source_truth =
       command.add_option("--gt-source", arguments.truth.source, "Ground truth on the source")
@@ -111,7 +122,10 @@ void add_eval(CLI::App& app, Request& request) {
   const auto arguments = std::make_shared<EvalArguments>();
   CLI::App& command = *app.add_subcommand("eval", "Measure the quality of a map");
   add_files(command, *arguments);
-  command.add_flag("--one-based", arguments->one_based, "MAP numbers vertices and faces from one");
+  command.add_flag(
+      "--one-based", arguments->one_based,
+      "MAP numbers from one; without this from zero unless that cannot be; .vts always "
+      "does, .npz never");
   command
       .add_option("--samples", arguments->options.truth.max_samples,
                   "Most ground-truth errors to compute, evenly spaced")

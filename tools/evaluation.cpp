@@ -5,32 +5,10 @@
 #include <fmt/format.h>
 
 #include "isomatch/error.h"
-#include "isomatch/map_io.h"
+#include "isomatch/map_file.h"
 
 namespace isomatch::cli {
 namespace {
-
-std::vector<int> read_target_truth(const Shape& target, const std::string& file,
-                                   const std::string& source_file, std::size_t points) {
-  if (file.empty()) return {};
-  std::vector<int> vertices = read_vts(file, input_vertex_count(target));
-  if (vertices.size() != points)
-    throw BadFile(file, fmt::format("{} template points, but {} has {}", vertices.size(),
-                                    source_file, points));
-  return vertices;
-}
-
-TruthVertices read_truth(const Shape& source, const Shape& target, const TruthFiles& files) {
-  if (files.target.empty()) return {};
-  TruthVertices truth;
-  truth.source = read_vts(files.source, input_vertex_count(source));
-  const auto read = [&](const std::string& file) {
-    return read_target_truth(target, file, files.source, truth.source.size());
-  };
-  truth.target = read(files.target);
-  truth.symmetric_target = read(files.symmetric_target);
-  return truth;
-}
 
 std::optional<TruthEvaluation> evaluate_truth(const Shape& source, const Shape& target,
                                               const MeasuredMap& map,
@@ -63,7 +41,27 @@ Json to_json(const TruthEvaluation& truth) {
   return json;
 }
 
+std::vector<int> read_target_truth(const std::string& file, int vertices, const TruthFiles& files,
+                                   std::size_t points) {
+  if (file.empty()) return {};
+  std::vector<int> truth = read_ground_truth(file, vertices);
+  if (truth.size() != points)
+    throw BadFile(
+        file, fmt::format("{} template points, but {} has {}", truth.size(), files.source, points));
+  return truth;
+}
+
 }  // namespace
+
+TruthVertices read_truth(const TruthFiles& files, VertexCounts counts) {
+  if (files.target.empty()) return {};
+  TruthVertices truth;
+  truth.source = read_ground_truth(files.source, counts.source);
+  truth.target = read_target_truth(files.target, counts.target, files, truth.source.size());
+  truth.symmetric_target =
+      read_target_truth(files.symmetric_target, counts.target, files, truth.source.size());
+  return truth;
+}
 
 int input_vertex_count(const Shape& shape) {
   return static_cast<int>(shape.surface.surface_vertex.size());
@@ -89,7 +87,8 @@ Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap&
 Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
                     const TruthFiles& files, const EvaluationOptions& options,
                     const Context& context) {
-  return evaluate(source, target, map, read_truth(source, target, files), options, context);
+  const VertexCounts counts{input_vertex_count(source), input_vertex_count(target)};
+  return evaluate(source, target, map, read_truth(files, counts), options, context);
 }
 
 Json to_json(const Evaluation& evaluation) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "isomatch/map_io.h"
 #include "isomatch/metrics.h"
 #include "json.h"
 
@@ -23,6 +24,10 @@ struct TruthVertices {
   std::vector<int> source, target;
   std::vector<int> symmetric_target;
 };
+
+/// Reads the truth between meshes of so many vertices. Throws `BadFile` as `read_ground_truth`, and
+/// if its files differ in length.
+TruthVertices read_truth(const TruthFiles& files, VertexCounts counts);
 
 /// A correspondence in the numbers of the surfaces.
 struct MeasuredMap {

@@ -66,7 +66,7 @@ void run_info(const InfoArguments& arguments) {
   MeshReadReport report;
   const Mesh mesh = read_mesh(arguments.mesh, &report, arguments.reading);
   for (const std::string& warning : report.warnings) warn(arguments.mesh, warning);
-  const MeshDiagnosis diagnosis = diagnose(mesh);
+  const MeshDiagnosis diagnosis = diagnosed(arguments.mesh, mesh);
   if (arguments.json) {
     Json json = to_json(diagnosis);
     json["triangulated_polygons"] = report.triangulated_polygons;

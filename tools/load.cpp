@@ -21,6 +21,16 @@ auto loaded(const std::string& path, const Read& read) {
   return result;
 }
 
+/// `work()` on what was read from `path`, which is to blame.
+template <class Work>
+auto of_file(const std::string& path, const Work& work) {
+  try {
+    return work();
+  } catch (const InvalidInput& error) {
+    throw BadFile(path, error.what());
+  }
+}
+
 }  // namespace
 
 void warn(const std::string& path, std::string_view warning) {
@@ -51,22 +61,20 @@ void add_mesh_option(CLI::App& command, MeshReadOptions& options) {
       ->type_name("NAME");
 }
 
+MeshDiagnosis diagnosed(const std::string& path, const Mesh& mesh) {
+  return of_file(path, [&] { return diagnose(mesh); });
+}
+
 Inspection inspected(const std::string& path, const Mesh& mesh) {
-  try {
+  return of_file(path, [&] {
     Inspection inspection = inspect(mesh);
     if (!inspection.surface) throw InvalidInput("the mesh has no face of positive area");
     return inspection;
-  } catch (const InvalidInput& error) {
-    throw BadFile(path, error.what());
-  }
+  });
 }
 
 Shape prepare_loaded(const std::string& path, const Mesh& mesh, const Context& context) {
-  try {
-    return prepare_shape(mesh, {}, context);
-  } catch (const InvalidInput& error) {
-    throw BadFile(path, error.what());
-  }
+  return of_file(path, [&] { return prepare_shape(mesh, {}, context); });
 }
 
 Shape load_shape(const std::string& path, const Context& context) {

@@ -24,6 +24,9 @@ VertexColors load_vertex_colors(const std::string& path);
 /// Adds `--mesh`, which chooses a mesh of a glTF file.
 void add_mesh_option(CLI::App& command, MeshReadOptions& options);
 
+/// `diagnose` of a mesh that was read from `path`.
+MeshDiagnosis diagnosed(const std::string& path, const Mesh& mesh);
+
 /// Diagnosis and surface, of which there is one, of a mesh that was read from `path`. What makes it
 /// unusable is a `BadFile`.
 Inspection inspected(const std::string& path, const Mesh& mesh);

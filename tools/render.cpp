@@ -41,6 +41,14 @@ Color background_color(const std::string& name) {
   return name == "black" ? Color(0.01F, 0.01F, 0.012F) : Color(1, 1, 1);
 }
 
+/// Fails now rather than after the work.
+void check_render(const RenderArguments& arguments) {
+  check_ending(arguments.output, {".png"});
+  InputFiles inputs = result_inputs(arguments.folder, arguments.places);
+  for (const std::string& texture : arguments.textures) inputs.add(texture);
+  check_output(arguments.output, inputs);
+}
+
 /// A file's mesh, which begins with the vertices of a mesh that was matched, and what it shows.
 struct Painted {
   Mesh mesh;
@@ -76,6 +84,7 @@ picture::Image draw_map(const MatchResult& result, const ResultMap& map, const P
 }
 
 void run_render(const RenderArguments& arguments) {
+  check_render(arguments);
   const MatchResult result = load_result(arguments.folder, arguments.places);
   const ResultMap& map = chosen_map(result, arguments.alternative);
   const PairView view = choose_pair_view(result, map, arguments.view);

@@ -8,6 +8,7 @@
 #include "command.h"
 #include "page/options.h"
 #include "page/page.h"
+#include "result/written_files.h"
 
 namespace isomatch::cli {
 namespace {
@@ -20,9 +21,10 @@ struct ReportArguments {
 };
 
 void run_report(const ReportArguments& arguments, const Context& context) {
-  const std::string output =
-      arguments.output.empty() ? (std::filesystem::path(arguments.folder) / "report.html").string()
-                               : arguments.output;
+  const std::string output = arguments.output.empty()
+                                 ? (std::filesystem::path(arguments.folder) / kPage).string()
+                                 : arguments.output;
+  check_page_output(output, arguments.folder, arguments.places, arguments.page.truth);
   write_page(output, arguments.folder, arguments.places, arguments.page, context);
   if (!arguments.quiet) fmt::print("written to {}\n", output);
 }

@@ -11,6 +11,7 @@
 #include "command.h"
 #include "isomatch/map_io.h"
 #include "isomatch/mesh_io.h"
+#include "result/input_files.h"
 
 namespace isomatch::cli {
 namespace {
@@ -21,15 +22,17 @@ struct SynthArguments {
 };
 
 void run_synth(const SynthArguments& arguments, const Context& context) {
-  check_mesh_output(arguments.output);
-  const SynthShape shape = synthesize(arguments.options, context);
-  const std::filesystem::path path = arguments.output;
+  const std::string& path = arguments.output;
   const auto beside = [&](const char* ending) {
     return std::filesystem::path(path).replace_extension(ending).string();
   };
-  write_mesh(path.string(), shape.mesh);
-  write_vts(beside(".vts"), shape.ground_truth);
-  write_vts(beside(".sym.vts"), shape.symmetric_ground_truth);
+  const std::string truth = beside(".vts"), symmetric_truth = beside(".sym.vts");
+  check_mesh_output(path);
+  for (const std::string& file : {truth, symmetric_truth}) check_companion_output(file, path, {});
+  const SynthShape shape = synthesize(arguments.options, context);
+  write_mesh(path, shape.mesh);
+  write_vts(truth, shape.ground_truth);
+  write_vts(symmetric_truth, shape.symmetric_ground_truth);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "isomatch/correspondence.h"
 #include "isomatch/map_io.h"
@@ -16,6 +17,7 @@
 /// - .npz: arrays of numpy, always numbered from zero: `source_to_target` (N), and `triangles` (N)
 ///   with `barycentric` (N x 3); -1 where unmatched. The only array of N integers counts under
 ///   whatever name.
+/// Text may hold comments behind # and integers written as floats: numpy's `savetxt` writes both.
 namespace isomatch {
 
 /// A map in one or both of its forms; a form that is not known is empty.
@@ -49,6 +51,26 @@ MapContent read_map(const std::string& path, const MapChecks& checks = {},
                     std::optional<Numbering> numbering = std::nullopt,
                     MapReadReport* report = nullptr);
 
+/// What belongs together: pairs of vertices, or where the map leads to points on triangles, these;
+/// an .npz file may have both.
+struct MatchContent {
+  Correspondence matches;
+  SurfaceMap points;
+};
+
+/// Reads a map as `read_map`, or a list of pairs: a .txt or .map file whose first line has at least
+/// two words, source vertex and target vertex; what follows them in a line is ignored. Without
+/// `numbering`, pairs are taken as numbered from zero unless a number equals the number of its
+/// shape's vertices and none is 0. Throws as `read_map`. O(N log N).
+MatchContent read_matches(const std::string& path, const MapChecks& checks = {},
+                          std::optional<Numbering> numbering = std::nullopt,
+                          MapReadReport* report = nullptr);
+
+/// Reads a ground truth: the vertex that stands for each template point, in any of the formats
+/// that hold a vertex a point, with their numbering; commonly a .vts file. Throws `BadFile` as
+/// `read_map`, and for a point without a vertex.
+std::vector<int> read_ground_truth(const std::string& path, std::optional<int> num_vertices);
+
 /// Writes the form of the map that the ending asks for, .npz both. `numbering` is that of .txt,
 /// .map and .bary.txt files. The file appears whole or not at all, and survives a round trip
 /// exactly. Throws `InvalidInput` if the form is not known, or if a .vts file is to hold what is
@@ -60,6 +82,8 @@ void write_map(const std::string& path, const MapContent& map,
 bool is_map_file_name(const std::string& path);
 /// Whether `path` ends like a file of points, .bary.txt.
 bool is_point_map_file_name(const std::string& path);
+/// Whether `path` ends like a file that numbers from one, .vts.
+bool is_vts_file_name(const std::string& path);
 
 /// Throws the `BadFile` that `write_map` would throw because of `path` alone. Leaves no trace.
 void check_map_output(const std::string& path);

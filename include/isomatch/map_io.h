@@ -38,7 +38,8 @@ VertexMap read_source_to_target(const std::string& path, VertexCounts counts,
 /// order.
 std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts);
 
-/// Reads a list of vertices, numbered from 0, one a line, repeated or not. In the file's order.
+/// Reads a list of vertices, one a line, repeated or not, numbered from 0, or from 1 in a file
+/// named .vts. In the file's order.
 std::vector<int> read_vertex_list(const std::string& path, int num_vertices);
 
 /// What a file of points on a target is checked against.

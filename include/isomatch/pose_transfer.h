@@ -12,7 +12,8 @@ namespace isomatch {
 
 struct PoseTransferOptions {
   /// The target as it is given has the pose of the source as it is given, and moves as the source
-  /// does from there. Otherwise it is in another pose, which the map tells, and takes the poses of
+  /// does from there, in its own coordinates: a frame that is the source as it is given leaves it
+  /// as it is. Otherwise it is in another pose, which the map tells, and takes the poses of
   /// the source's frames themselves.
   bool same_rest_pose = false;
 };
@@ -24,9 +25,9 @@ struct PoseTransferOptions {
 /// the source's rest pose that is fitted around it; positions follow by least squares, with one
 /// sparse Cholesky factorisation for all frames. Faces with an unmatched corner follow the nearest
 /// ones that are matched, along the surface; unmatched components move as stiffly as the nearest
-/// carried vertex says. Vertices split at seams stay together. Positions come out in the source's
-/// coordinates, distances from their origin times the ratio of sizes: what stands on a floor at the
-/// origin goes on doing so.
+/// carried vertex says. Vertices split at seams stay together. Unless both share a rest pose,
+/// positions come out in the source's coordinates, distances from their origin times the ratio of
+/// sizes: what stands on a floor at the origin goes on doing so.
 ///
 /// A target equal to the source follows any frame exactly, up to slivers.
 class PoseTransfer {

@@ -180,40 +180,61 @@ class Match(Map):
     def save(
         self, folder: PathLike, *, target_to_source: bool = False, report: bool = False
     ) -> None:
-        """Writes what `isomatch match -o FOLDER` writes, byte for byte but for times; earlier
-        results in the folder are replaced. Meshes that were given as arrays are written into it as
-        source.ply and target.ply, landmarks as landmarks.txt. `target_to_source` adds the inverse
-        map of the tracked method, `report` a page that shows the result. Raises OSError."""
-        folder = os.fspath(folder)
-        os.makedirs(folder, exist_ok=True)
+        """Writes what `isomatch match -o FOLDER` writes, byte for byte but for times; what isomatch
+        wrote into the folder before is replaced. Meshes that were given as arrays are written into
+        it as source.ply and target.ply, landmarks as landmarks.txt. `target_to_source` adds the
+        inverse map of the tracked method, `report` a page that shows the result. Raises OSError,
+        before anything is written also if a file would be replaced that isomatch did not write."""
+        if target_to_source and self.method != "tracked":
+            raise ValueError("target_to_source: the paper's method makes no inverse map")
+        folder = os.fsencode(folder)
+        os.makedirs(os.path.dirname(os.path.abspath(folder)), exist_ok=True)
+        arrays = self._arrays_to_save()
         saved = _core.SavedAs(
             folder,
-            _mesh_file(self.source, folder, "source.ply"),
-            _mesh_file(self.target, folder, "target.ply"),
+            os.fsencode(self.source.path or os.path.join(folder, b"source.ply")),
+            os.fsencode(self.target.path or os.path.join(folder, b"target.ply")),
+            os.path.join(folder, b"landmarks.txt") if b"landmarks.txt" in arrays else b"",
+            list(arrays),
+            target_to_source,
+            report,
         )
-        if self.method == "tracked":
-            landmarks = _landmark_file(self._landmarks, folder)
-            self._core.save(saved, landmarks, target_to_source)
-        elif target_to_source:
-            raise ValueError("target_to_source: the paper's method makes no inverse map")
-        else:
-            self._core.save(saved)
+        self._core.check_save(saved)
+        os.makedirs(folder, exist_ok=True)
+        for name, write in arrays.items():
+            write(os.fsdecode(os.path.join(folder, name)))
+        self._core.save(saved)
         if report:
-            page = os.path.join(folder, "report.html")
-            _core.write_page(page, saved, "", "", _core.RunOptions(None, None))
+            page = os.path.join(folder, b"report.html")
+            _core.write_page(page, saved, b"", b"", _core.RunOptions(None, None))
+
+    def _arrays_to_save(self):
+        """What was given as arrays: names of files, and what writes each."""
+        arrays = {}
+        for name, shape in ((b"source.ply", self.source), (b"target.ply", self.target)):
+            if not shape.path:
+                arrays[name] = functools.partial(write_mesh, mesh=shape)
+        if len(self._landmarks) > 0:
+            arrays[b"landmarks.txt"] = functools.partial(
+                np.savetxt, X=self._landmarks, fmt="%d", encoding="ascii"
+            )
+        return arrays
 
     def report(self, path: Optional[PathLike] = None) -> Optional[str]:
         """A page that shows the result in 3D, complete in itself: written to `path` if it is
         given, otherwise returned as a string of HTML. Raises ValueError if isomatch was built
-        without the page."""
+        without the page, and OSError, before any work, if `path` is not named .html, is one of the
+        meshes' files or cannot be written."""
+        if path is not None:
+            meshes = [os.fsencode(mesh.path or "") for mesh in (self.source, self.target)]
+            _core.check_page(os.fsencode(path), meshes)
         with tempfile.TemporaryDirectory() as folder:
             self.save(folder, report=True)
             with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
                 page = file.read()
         if path is None:
             return page
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(page)
+        _core.write_file(os.fsencode(path), page)
 
     def _repr_html_(self):
         if not _core.has_page():
@@ -241,22 +262,6 @@ def _level(matches, many_to_one, **rest):
         many_to_one_distortion=many_to_one[1],
         **rest,
     )
-
-
-def _mesh_file(shape, folder, name):
-    if shape.path:
-        return shape.path
-    path = os.path.join(folder, name)
-    write_mesh(path, shape)
-    return path
-
-
-def _landmark_file(landmarks, folder):
-    if len(landmarks) == 0:
-        return None
-    path = os.path.join(folder, "landmarks.txt")
-    np.savetxt(path, landmarks, fmt="%d")
-    return path
 
 
 def _as_landmarks(landmarks):

@@ -26,7 +26,7 @@ def _triangles(mesh):
 def as_arrays(mesh):
     """(N, 3) coordinates and (M, 3) vertex indices of a mesh in any form."""
     if isinstance(mesh, (str, os.PathLike)):
-        return _core.read_mesh(os.fspath(mesh))
+        return _core.read_mesh(os.fsencode(mesh))
     if isinstance(mesh, tuple) and len(mesh) == 2:
         return np.asarray(mesh[0]), np.asarray(mesh[1])
     vertices = getattr(mesh, "vertices", getattr(mesh, "points", None))
@@ -80,7 +80,7 @@ class Shape:
     ) -> None:
         run = _core.RunOptions(threads, progress)
         if isinstance(mesh, (str, os.PathLike)):
-            self._core = _core.load_shape(os.fspath(mesh), geodesics, run)
+            self._core = _core.load_shape(os.fsencode(mesh), geodesics, run)
         else:
             self._core = _core.make_shape(*as_arrays(mesh), geodesics, run)
         self.geodesics = geodesics
@@ -88,7 +88,7 @@ class Shape:
     @property
     def path(self) -> Optional[str]:
         """The file it was read from, None if it was made of arrays."""
-        return self._core.path or None
+        return os.fsdecode(self._core.path) or None
 
     @property
     def vertices(self) -> np.ndarray:
@@ -141,11 +141,11 @@ def as_shape(mesh, geodesics="w20", threads=None):
 def read_mesh(path: PathLike) -> Tuple[np.ndarray, np.ndarray]:
     """Reads an OFF, OBJ, PLY, STL, glTF or MATLAB file: an (N, 3) array of coordinates and an
     (M, 3) array of vertex indices from 0, both in the file's order. Raises OSError."""
-    return _core.read_mesh(os.fspath(path))
+    return _core.read_mesh(os.fsencode(path))
 
 
 def write_mesh(path: PathLike, mesh: MeshLike) -> None:
     """Writes a mesh in any form as .off, .obj, .ply (binary), .glb, .gltf or .mat. Coordinates survive
     exactly, but glTF rounds them to 32 bits; the file appears whole or not at all. Raises OSError,
     and ValueError for a mesh that is none."""
-    _core.write_mesh(os.fspath(path), *as_arrays(mesh))
+    _core.write_mesh(os.fsencode(path), *as_arrays(mesh))

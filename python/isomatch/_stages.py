@@ -224,25 +224,25 @@ def map_orientation(
 
 def read_vts(path: PathLike) -> np.ndarray:
     """Reads a .vts file, which numbers vertices from 1: an array of vertex indices from 0."""
-    with open(path, encoding="ascii") as file:
-        try:
-            return np.array([int(line) - 1 for line in file if line.strip()], dtype=np.int64)
-        except ValueError as error:
-            raise OSError(f"{os.fspath(path)}: {error}") from None
+    return np.array(_core.read_vts(os.fsencode(path)), dtype=np.int64)
 
 
-def _vertices(truth):
-    return read_vts(truth) if isinstance(truth, (str, os.PathLike)) else np.asarray(truth)
+def _vertices(truth, mesh):
+    if not isinstance(truth, (str, os.PathLike)):
+        return np.asarray(truth)
+    vertices = len(mesh.on_surface)
+    return np.array(_core.read_ground_truth(os.fsencode(truth), vertices), dtype=np.int64)
 
 
-def as_truth(gt):
+def as_truth(gt, source, target):
     """A ground truth in any form as arrays for the source, the target, and the target under the
     left-right symmetry, empty where there is none."""
     nothing = np.zeros(0, np.int64)
     if gt is None:
         return nothing, nothing, nothing
     if isinstance(gt, tuple) and len(gt) in (2, 3):
-        return (*(_vertices(truth) for truth in gt), nothing)[:3]
+        meshes = (source, target, target)
+        return (*(_vertices(*given) for given in zip(gt, meshes)), nothing)[:3]
     matches = as_matches(gt)
     if matches.ndim != 2 or matches.shape[1] != 2:
         raise ValueError("gt: expected a map (N) or two arrays of corresponding vertices")
@@ -269,7 +269,8 @@ def evaluate(
     progress: Progress = None,
     **options,
 ) -> Dict[str, Any]:
-    """How good a correspondence is: what `isomatch eval --json` prints, as a dictionary.
+    """How good a correspondence is: what `isomatch eval --json` prints, as a dictionary,
+    but for the numbering of a file.
 
     Parameters
     ----------
@@ -282,7 +283,7 @@ def evaluate(
         both as `triangles` and `barycentric`.
     gt
         Ground truth: a map (N) as above; or a tuple of two lists of corresponding vertices, arrays
-        or .vts files, of the source and of the target, and maybe a third one of the target under
+        or files as in docs/formats.md such as .vts, of the source and of the target, and maybe a third one of the target under
         its left-right symmetry.
 
     Returns
@@ -292,12 +293,13 @@ def evaluate(
         `orientation`; with a truth `ground_truth`: errors over sqrt(area) of the target.
     """
     check_options(options, "truth", "distortion", function="evaluate")
+    source, target = as_shape(source, threads=threads), as_shape(target, threads=threads)
     return json.loads(
         _core.evaluate(
-            as_shape(source, threads=threads)._core,
-            as_shape(target, threads=threads)._core,
+            source._core,
+            target._core,
             as_map(correspondence),
-            as_truth(gt),
+            as_truth(gt, source, target),
             select(options, "truth"),
             select(options, "distortion"),
             _core.RunOptions(threads, progress),

@@ -47,27 +47,27 @@ def textured_parts(mesh):
 
 def read_textured_mesh(path: PathLike) -> TexturedMesh:
     """Reads an .obj file with texture coordinates. Raises OSError, also if no face has any."""
-    return TexturedMesh(**_core.read_textured_mesh(os.fspath(path)))
+    return TexturedMesh(**_core.read_textured_mesh(os.fsencode(path)))
 
 
 def write_textured_mesh(path: PathLike, mesh: TexturedMesh, library: str = "") -> None:
     """Writes an .obj file that names `library`, if it is given, as its file of materials, which is
     not written. Raises OSError, and ValueError if the texture does not fit the mesh."""
-    _core.write_textured_mesh(os.fspath(path), textured_parts(mesh), library)
+    _core.write_textured_mesh(os.fsencode(path), textured_parts(mesh), os.fsencode(library))
 
 
 def material_libraries(path: PathLike) -> List[str]:
     """The files of materials that an .obj file names, as it names them. Raises OSError."""
-    return _core.material_libraries(os.fspath(path))
+    return [os.fsdecode(name) for name in _core.material_libraries(os.fsencode(path))]
 
 
 def read_vertex_colors(path: PathLike) -> np.ndarray:
     """Reads the vertex colours of a .ply file: (N, 3) red, green and blue in [0, 1]. Raises
     OSError, also if there are none."""
-    return _core.read_vertex_colors(os.fspath(path))
+    return _core.read_vertex_colors(os.fsencode(path))
 
 
 def write_colored_mesh(path: PathLike, mesh: MeshLike, colors: ArrayLike) -> None:
     """Writes a binary .ply file with (N, 3) colours in [0, 1] at the vertices, rounded to 8 bits.
     Raises OSError, and ValueError if mesh and colours do not fit together."""
-    _core.write_colored_mesh(os.fspath(path), *as_arrays(mesh), np.asarray(colors))
+    _core.write_colored_mesh(os.fsencode(path), *as_arrays(mesh), np.asarray(colors))

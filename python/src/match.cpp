@@ -2,21 +2,45 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "match.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
+
+#include "page/page.h"
 
 namespace py = pybind11;
 
 namespace isomatch::python {
+
+cli::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files) {
+  files.insert(files.end(), saved.arrays.begin(), saved.arrays.end());
+  if (saved.page) files.emplace_back(cli::kPage);
+  cli::ResultPlan plan{saved.folder, std::move(files), {}, saved.arrays};
+  const std::filesystem::path folder = saved.folder;
+  for (const std::string& mesh : {saved.source, saved.target}) {
+    const bool is_array = std::ranges::any_of(
+        saved.arrays, [&](const std::string& name) { return (folder / name).string() == mesh; });
+    if (!is_array) plan.inputs.add(mesh);
+  }
+  return plan;
+}
+
+void check_save(const SavedAs& saved, std::vector<std::string> files) {
+  if (saved.page) cli::check_page_available();
+  cli::ResultPlan plan = make_plan(saved, std::move(files));
+  plan.ready.clear();
+  cli::check_plan(plan);
+}
 
 std::vector<std::string> command_line(const SavedAs& saved, const cli::Json& options,
                                       const cli::Json& defaults) {
   std::vector<std::string> words{"isomatch",   "match", saved.source,
                                  saved.target, "-o",    saved.folder};
   for (const auto& [name, value] : options.items()) {
-    if (defaults.contains(name) && value == defaults[name]) continue;
+    if ((defaults.contains(name) && value == defaults[name]) || name.ends_with("_escaped"))
+      continue;
     words.push_back((value == false ? "--no-" : "--") + name);
-    if (value.is_string()) words.push_back(value.get<std::string>());
+    if (value.is_string()) words.push_back(cli::get_path(options, name));
     if (value.is_number()) words.push_back(value.dump());
   }
   return words;

@@ -16,10 +16,20 @@
 /// What the results of both methods share.
 namespace isomatch::python {
 
-/// Where a saved result finds its meshes.
+/// How a result is saved.
 struct SavedAs {
-  std::string folder, source, target;
+  /// Where, and where it finds its meshes and landmarks; empty for no landmarks.
+  std::string folder, source, target, landmarks;
+  /// Of these, what is in the folder since it was given as arrays.
+  std::vector<std::string> arrays;
+  bool target_to_source = false, page = false;
 };
+
+/// What saving may write, `files` of the method besides the arrays and the page.
+cli::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files);
+
+/// Fails now rather than after the arrays were written, if saving would.
+void check_save(const SavedAs& saved, std::vector<std::string> files);
 
 /// Options of a run as they go into its report.
 template <class Options>

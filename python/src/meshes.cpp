@@ -60,7 +60,8 @@ void bind_meshes(py::module_& module) {
   py::class_<RunOptions>(module, "RunOptions")
       .def(py::init<py::object, py::object>(), py::arg("threads"), py::arg("progress"));
   py::class_<PreparedMesh, std::shared_ptr<PreparedMesh>>(module, "Shape")
-      .def_property_readonly("path", [](const PreparedMesh& shape) { return shape.input().path; })
+      .def_property_readonly(
+          "path", [](const PreparedMesh& shape) { return py::bytes(shape.input().path); })
       .def_property_readonly(
           "vertices", [](const PreparedMesh& shape) { return to_array(shape.mesh().vertices); })
       .def_property_readonly("faces",

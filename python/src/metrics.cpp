@@ -11,6 +11,7 @@
 #include "bindings.h"
 #include "evaluation.h"
 #include "isomatch/error.h"
+#include "isomatch/map_file.h"
 #include "options.h"
 #include "prepared.h"
 #include "run.h"
@@ -109,6 +110,12 @@ void bind_metrics(py::module_& module) {
   register_options<DistortionOptions>(module, "distortion");
   register_options<OrientationOptions>(module, "orientation");
   module.def("evaluate", evaluate_json);
+  module.def("read_vts", [](const std::string& path) {
+    return adopt(read_vts(path, std::numeric_limits<int>::max() - 1));
+  });
+  module.def("read_ground_truth", [](const std::string& path, int num_vertices) {
+    return adopt(read_ground_truth(path, num_vertices));
+  });
   module.def("isometric_distortion", distortion);
   module.def("map_orientation", orientation);
 }

@@ -15,7 +15,9 @@ void translate_errors(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const BadFile& error) {
-    PyErr_SetString(PyExc_OSError, error.what());
+    // Names of files need not be UTF-8.
+    const auto message = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(error.what()));
+    PyErr_SetObject(PyExc_OSError, message.ptr());
   }
 }
 

@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "page/page.h"
 
+#include <pybind11/stl.h>
+
 #include "bindings.h"
+#include "isomatch/atomic_file.h"
 #include "match.h"
 #include "page/template.h"
 #include "run.h"
@@ -25,9 +28,21 @@ void write(const std::string& path, const SavedAs& saved, const std::string& sou
 }  // namespace
 
 void bind_page(py::module_& module) {
-  py::class_<SavedAs>(module, "SavedAs").def(py::init<std::string, std::string, std::string>());
+  py::class_<SavedAs>(module, "SavedAs")
+      .def(py::init<std::string, std::string, std::string, std::string, std::vector<std::string>,
+                    bool, bool>());
   module.def("has_page", [] { return !cli::page_template().empty(); });
   module.def("write_page", write);
+  module.def("check_page", [](const std::string& path, const std::vector<std::string>& meshes) {
+    cli::check_page_available();
+    cli::check_ending(path, {".html", ".htm"});
+    cli::check_output(path, cli::InputFiles(meshes));
+  });
+  module.def("write_file", [](const std::string& path, const std::string& content) {
+    AtomicFile file(path);
+    file.write(content);
+    file.commit();
+  });
 }
 
 }  // namespace isomatch::python

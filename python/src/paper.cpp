@@ -82,13 +82,17 @@ py::dict points(const PaperRun& run) {
   return result;
 }
 
+std::vector<std::string> files_of(const PaperRun& run) {
+  return cli::paper_files(static_cast<int>(run.result.levels.size()) - 1);
+}
+
 void save(PaperRun& run, const SavedAs& saved) {
   // Not the default method.
   cli::Json defaults = report_options("tracked", PaperOptions{});
   defaults["geodesics"] = "w20";
   rename(run.inputs, saved, command_line(saved, run.options, defaults));
   const py::gil_scoped_release release;
-  cli::write_paper(saved.folder, run);
+  cli::write_paper(make_plan(saved, files_of(run)), run);
 }
 
 }  // namespace
@@ -108,6 +112,8 @@ void bind_paper(py::module_& module) {
       .def_property_readonly("complete", [](const PaperRun& run) { return run.result.complete; })
       .def_property_readonly("seconds",
                              [](const PaperRun& run) { return to_dict(run.result.times); })
+      .def("check_save",
+           [](const PaperRun& run, const SavedAs& saved) { check_save(saved, files_of(run)); })
       .def("save", save);
   module.def("match_paper", match);
 }

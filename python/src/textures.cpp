@@ -78,7 +78,11 @@ py::dict to_dict(TexturedMesh textured) {
 void bind_textures(py::module_& module) {
   module.def("read_textured_mesh", read);
   module.def("write_textured_mesh", write);
-  module.def("material_libraries", material_libraries);
+  module.def("material_libraries", [](const std::string& path) {
+    py::list names;
+    for (const std::string& name : material_libraries(path)) names.append(py::bytes(name));
+    return names;
+  });
   module.def("read_vertex_colors",
              [](const std::string& path) { return to_array(read_vertex_colors(path)); });
   module.def("write_colored_mesh", [](const std::string& path, const py::array& vertices,

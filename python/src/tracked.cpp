@@ -60,18 +60,22 @@ py::list hypotheses(const TrackedRun& run) {
   return result;
 }
 
-void save(TrackedRun& run, const SavedAs& saved, const py::object& landmarks,
-          bool target_to_source) {
-  run.options["landmarks"] =
-      landmarks.is_none() ? cli::Json() : cli::Json(landmarks.cast<std::string>());
-  run.options["target-to-source"] = target_to_source;
-  run.target_to_source = target_to_source;
+std::vector<std::string> files_of(const TrackedRun& run, const SavedAs& saved) {
+  return cli::tracked_files(static_cast<int>(run.result.maps.size()) - 1, saved.target_to_source);
+}
+
+void save(TrackedRun& run, const SavedAs& saved) {
+  run.options.erase("landmarks_escaped");
+  run.options["landmarks"] = cli::Json();
+  if (!saved.landmarks.empty()) cli::set_path(run.options, "landmarks", saved.landmarks);
+  run.options["target-to-source"] = saved.target_to_source;
+  run.target_to_source = saved.target_to_source;
   cli::Json defaults = report_options(kMethod, TrackedOptions{});
   defaults["landmarks"] = cli::Json();
   defaults["target-to-source"] = false;
   rename(run.inputs, saved, command_line(saved, run.options, defaults));
   const py::gil_scoped_release release;
-  cli::write_tracked(saved.folder, run);
+  cli::write_tracked(make_plan(saved, files_of(run, saved)), run);
 }
 
 }  // namespace
@@ -105,6 +109,8 @@ void bind_tracked(py::module_& module) {
       .def_property_readonly("oriented", [](const TrackedRun& run) { return run.result.oriented; })
       .def_property_readonly("seconds",
                              [](const TrackedRun& run) { return to_dict(run.result.times); })
+      .def("check_save", [](const TrackedRun& run,
+                            const SavedAs& saved) { check_save(saved, files_of(run, saved)); })
       .def("save", save);
   module.def("match_tracked", match);
 }

@@ -3,6 +3,7 @@
 import json
 import os
 from html.parser import HTMLParser
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -200,6 +201,42 @@ def test_without_the_page_a_notebook_shows_a_line(tracked, monkeypatch):
 def test_bad_arguments(pose1, pose2, keywords, error, message):
     with pytest.raises(error, match=message):
         isomatch.match(pose1, pose2, **keywords)
+
+
+def test_saving_replaces_nothing_of_the_users(files, tracked, tmp_path):
+    for name in ("source.ply", "registered.ply", "report.json"):
+        (tmp_path / name).write_text("the user's")
+        with pytest.raises(OSError, match=f"{name}: isomatch did not write"):
+            tracked.save(tmp_path)
+        assert os.listdir(tmp_path) == [name]
+        assert (tmp_path / name).read_text() == "the user's"
+        (tmp_path / name).unlink()
+    (tmp_path / "notes.txt").write_text("the user's")
+    for _ in range(2):
+        tracked.save(tmp_path)
+    assert (tmp_path / "notes.txt").read_text() == "the user's"
+    # What was saved may be what is read.
+    given = isomatch.match(tmp_path / "registered.ply", tmp_path / "target.ply", refinement=False)
+    before = (tmp_path / "registered.ply").read_bytes()
+    with pytest.raises(OSError, match="is read here"):
+        given.save(tmp_path)
+    assert (tmp_path / "registered.ply").read_bytes() == before
+
+
+def test_paths_that_are_not_utf8(tmp_path, pose1, pose2, program):
+    folder = os.path.join(os.fsencode(tmp_path), b"\xfcber")
+    os.mkdir(folder)
+    mesh, output = (os.fsdecode(os.path.join(folder, name)) for name in (b"K\xf6rper.off", b"\xe4us"))
+    isomatch.write_mesh(mesh, pose1)
+    assert np.array_equal(isomatch.read_mesh(mesh)[0], pose1.vertices)
+    result = isomatch.match(mesh, pose2, refinement=False)
+    assert result.source.path == mesh
+    result.save(output)
+    report = json.loads((Path(output) / "report.json").read_text())
+    assert report["source"]["file_escaped"].endswith("/%FCber/K%F6rper.off")
+    program("render", output, "-o", tmp_path / "picture.png")
+    with pytest.raises(OSError, match="off"):
+        isomatch.read_mesh(os.fsdecode(os.path.join(folder, b"\xe4.off")))
 
 
 def test_bad_folders_are_os_errors(tracked, tmp_path):

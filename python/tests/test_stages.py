@@ -113,9 +113,21 @@ def test_evaluation_is_that_of_the_program(files, program, tracked):
         "eval", files / "source.off", files / "target.ply", folder / "source_to_target.bary.txt",
         "--gt-source", truth[0], "--gt-target", truth[1], "--json",
     )
-    assert tracked.evaluate(truth) == json.loads(printed)
+    figures = json.loads(printed)
+    assert figures.pop("map_numbered_from") == 0
+    assert tracked.evaluate(truth) == figures
     arrays = tuple(isomatch.read_vts(path) for path in truth)
-    assert tracked.evaluate(arrays) == json.loads(printed)
+    assert tracked.evaluate(arrays) == figures
+
+
+def test_truths_are_numbered_as_their_ending_says(tmp_path, tracked):
+    truth = np.flatnonzero(tracked.source_to_target >= 0), tracked.source_to_target
+    truth = truth[0], truth[1][truth[0]]
+    np.savetxt(tmp_path / "a.vts", truth[0] + 1, header="by numpy")
+    np.savetxt(tmp_path / "b.txt", truth[1])
+    assert np.array_equal(isomatch.read_vts(tmp_path / "a.vts"), truth[0])
+    figures = tracked.evaluate((tmp_path / "a.vts", tmp_path / "b.txt"))
+    assert figures == tracked.evaluate(truth)
 
 
 def test_synth_is_that_of_the_program(tmp_path, program, pose1):

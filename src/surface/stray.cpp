@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "isomatch/topology.h"
 #include "point_tree.h"
@@ -73,15 +74,31 @@ void keep_coarse_parts(const Mesh& mesh, double long_edge, std::vector<VertexKin
   }
 }
 
-std::vector<Point> border_points(const Mesh& mesh) {
-  std::vector<bool> open(mesh.vertices.size(), false);
-  for_each_edge(sorted_edge_sides(mesh), [&](std::span<const EdgeSide> sides) {
-    if (sides.size() == 1) open[sides[0].low] = open[sides[0].high] = true;
-  });
+/// Vertices on open borders.
+struct Border {
+  std::vector<int> vertices;
   std::vector<Point> points;
-  for (int v = 0; v < mesh.num_vertices(); ++v)
-    if (open[v]) points.push_back(mesh.vertices[v]);
-  return points;
+  /// Pairs of vertices that an open edge joins, ascending.
+  std::vector<std::pair<int, int>> edges;
+
+  bool are_joined(int a, int b) const {
+    return std::ranges::binary_search(edges, std::pair<int, int>(std::minmax(a, b)));
+  }
+};
+
+Border border_of(const Mesh& mesh) {
+  Border border;
+  for_each_edge(sorted_edge_sides(mesh), [&](std::span<const EdgeSide> sides) {
+    if (sides.size() != 1) return;
+    border.edges.emplace_back(sides[0].low, sides[0].high);
+    border.vertices.insert(border.vertices.end(), {sides[0].low, sides[0].high});
+  });
+  std::ranges::sort(border.edges);
+  std::ranges::sort(border.vertices);
+  const auto repeated = std::ranges::unique(border.vertices);
+  border.vertices.erase(repeated.begin(), repeated.end());
+  for (int v : border.vertices) border.points.push_back(mesh.vertices[v]);
+  return border;
 }
 
 double mean_edge(const Mesh& mesh) {
@@ -115,20 +132,22 @@ std::vector<VertexKind> vertex_kinds(const Mesh& mesh) {
 
 int count_near_seam_vertices(const Mesh& mesh) {
   constexpr double kNear = 0.01;
-  const std::vector<Point> points = border_points(mesh);
-  if (points.empty()) return 0;
+  const Border border = border_of(mesh);
+  if (border.points.empty()) return 0;
   const double bound = kNear * mean_edge(mesh);
-  const PointTree tree(points);
-  const auto is_near = [&](const Point& point) {
-    // Two that coincide with it exactly may come first.
+  const PointTree tree(border.points);
+  int count = 0;
+  for (std::size_t i = 0; i < border.points.size(); ++i) {
+    // Itself, its neighbours along the border, and one more.
     std::array<std::size_t, 4> nearest{};
-    const std::size_t found = tree.nearest(point, nearest);
-    return std::ranges::any_of(std::span(nearest).first(found), [&](std::size_t other) {
-      const double distance = (points[other] - point).norm();
-      return distance > 0 && distance < bound;
+    const std::size_t found = tree.nearest(border.points[i], nearest);
+    count += std::ranges::any_of(std::span(nearest).first(found), [&](std::size_t other) {
+      const double distance = (border.points[other] - border.points[i]).norm();
+      return distance > 0 && distance < bound &&
+             !border.are_joined(border.vertices[i], border.vertices[other]);
     });
-  };
-  return static_cast<int>(std::ranges::count_if(points, is_near));
+  }
+  return count;
 }
 
 }  // namespace isomatch

@@ -93,6 +93,7 @@ struct PoseTransfer::Parts {
   SurfaceMap map;
   transfer::FaceGradients gradients;
   transfer::RestPose rest;
+  bool same_rest_pose;
   /// Target face to the matched target face it follows, and that to its source face.
   std::vector<int> leading_face, source_face;
   std::vector<Component> components;
@@ -106,8 +107,9 @@ struct PoseTransfer::Parts {
         map(welded_map(target, target_to_source)),
         gradients(source),
         rest(transfer::fit_rest_pose(source, target.mesh, map)),
+        same_rest_pose(options.same_rest_pose),
         source_face(source_faces(source, gradients, target.mesh, map)) {
-    if (options.same_rest_pose) std::ranges::fill(rest.rotations, Eigen::Matrix3d::Identity());
+    if (same_rest_pose) std::ranges::fill(rest.rotations, Eigen::Matrix3d::Identity());
     leading_face =
         nearest_faces(target.mesh, [&](int face) { return source_face[face] != kNoFace; });
     if (std::ranges::all_of(leading_face, [](int f) { return f == kNoFace; }))
@@ -192,25 +194,45 @@ struct PoseTransfer::Parts {
   }
 
   Eigen::Matrix3d gradient(int leading, std::span<const Point> frame) const {
-    return gradients(source_face[leading], frame) * rest.rotations[leading];
+    const int face = source_face[leading];
+    // What stands still does so to the last bit.
+    const bool moves = std::ranges::any_of(source.faces[face],
+                                           [&](int v) { return frame[v] != source.vertices[v]; });
+    return moves ? gradients(face, frame) * rest.rotations[leading] : rest.rotations[leading];
   }
 
+  /// Solves for how vertices move, so that those that nothing moves stay.
   Eigen::MatrixX3d deform(std::span<const Point> frame) const {
     const Mesh& mesh = target.mesh;
+    const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
     Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(mesh.num_vertices(), 3);
     for (int f = 0; f < mesh.num_faces(); ++f) {
       if (leading_face[f] == kNoFace) continue;
-      const Eigen::Matrix3d turned = gradient(leading_face[f], frame);
+      const Eigen::Matrix3d change = gradient(leading_face[f], frame) - identity;
       const Face& face = mesh.faces[f];
       for (int corner = 0; corner < 3; ++corner) {
         const int a = face[(corner + 1) % 3], b = face[(corner + 2) % 3];
         const Point pull =
-            cotangent_weight(mesh, face, corner) * (turned * (mesh.vertices[a] - mesh.vertices[b]));
+            cotangent_weight(mesh, face, corner) * (change * (mesh.vertices[a] - mesh.vertices[b]));
         right.row(a) += pull.transpose();
         right.row(b) -= pull.transpose();
       }
     }
-    return solver.solve(right);
+    Eigen::MatrixX3d positions = solver.solve(right);
+    for (int v = 0; v < mesh.num_vertices(); ++v) positions.row(v) += mesh.vertices[v].transpose();
+    return positions;
+  }
+
+  /// Where the matched vertex `v` belongs, by itself.
+  Point goal(int v, std::span<const Point> frame) const {
+    const Face& face = source.faces[map[v].face];
+    Point there(0, 0, 0);
+    for (int k = 0; k < 3; ++k) {
+      const Point& from = frame[face[k]];
+      there += map[v].weights[k] * (same_rest_pose ? Point(from - source.vertices[face[k]]) : from);
+    }
+    return same_rest_pose ? Point(target.mesh.vertices[v] + rest.scale * there)
+                          : Point(rest.scale * there);
   }
 
   void place(const Component& component, std::span<const Point> frame,
@@ -219,10 +241,7 @@ struct PoseTransfer::Parts {
     for (std::size_t i = 0; i < component.vertices.size(); ++i) {
       const int v = component.vertices[i];
       if (component.shares[i] == 0) continue;
-      const Face& face = source.faces[map[v].face];
-      Point goal(0, 0, 0);
-      for (int k = 0; k < 3; ++k) goal += map[v].weights[k] * frame[face[k]];
-      shift += component.shares[i] * (rest.scale * goal - Point(positions.row(v)));
+      shift += component.shares[i] * (goal(v, frame) - Point(positions.row(v)));
     }
     for (int v : component.vertices) positions.row(v) += shift.transpose();
   }

@@ -113,7 +113,7 @@ TEST_F(Convert, MapsChangeTheirNumbering) {
   EXPECT_EQ(bytes("b.txt"), "2\n3\n4\n");
   write_mesh(path("target.off"), tetrahedron());
   EXPECT_THAT(convert("b.txt", "c.txt", {"--target", path("target.off")}),
-              HasSubstr("numbered from one, since it names vertex 4"));
+              HasSubstr("numbered from one, since it names the vertex past the last"));
   EXPECT_EQ(bytes("c.txt"), "1\n2\n3\n");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "isomatch/map_file.h"
 #include "isomatch/map_io.h"
 #include "isomatch/mesh_io.h"
 #include "program.h"
@@ -96,11 +98,42 @@ TEST_F(Eval, ComparesWithSymmetricTruth) {
 TEST_F(Eval, MapMayBeNumberedFromOneOrListPairs) {
   write_vts(path("one_based.txt"), numbers_);
   write_correspondence(path("pairs.txt"), to_correspondence(numbers_));
-  const nlohmann::json plain = json(truth());
+  nlohmann::json plain = json(truth());
+  EXPECT_EQ(plain["map_numbered_from"], 0);
+  EXPECT_EQ(json(truth(), "pairs.txt"), plain);
+  plain["map_numbered_from"] = 1;
   std::vector<std::string> one_based = truth();
   one_based.push_back("--one-based");
   EXPECT_EQ(json(one_based, "one_based.txt"), plain);
-  EXPECT_EQ(json(truth(), "pairs.txt"), plain);
+}
+
+TEST_F(Eval, NumberingFollowsTheEndingAsEverywhere) {
+  const MapContent map{numbers_, {}};
+  std::string floats = "# made by numpy\n";
+  for (int v : numbers_) floats += fmt::format("{:.18e}\n", static_cast<double>(v));
+  folder_.write("floats.txt", floats);
+  write_map(path("map.vts"), map);
+  write_map(path("map.VTS"), map);
+  write_map(path("map.npz"), map);
+  write_map(path("ones.map"), map, Numbering::kFromOne);
+  for (const char* name : {"map.vts", "map.VTS", "map.npz", "ones.map", "floats.txt"}) {
+    const nlohmann::json result = json(truth(), name);
+    EXPECT_EQ(result["ground_truth"]["error_over_sqrt_area"]["maximum"], 0) << name;
+    EXPECT_EQ(result["matches"], mesh_.num_vertices()) << name;
+  }
+  EXPECT_THAT(run(arguments({}, "ones.map")).output, HasSubstr("numbered from one, since"));
+  write_map(path("source.txt"), map);
+  EXPECT_EQ(json({"--gt-source", path("source.txt"), "--gt-target",
+                  path("map.npz")})["ground_truth"]["error_over_sqrt_area"]["maximum"],
+            0);
+}
+
+TEST_F(Eval, NumberingThatIsAssumedIsTold) {
+  std::string pairs;
+  for (int v = 1; v < mesh_.num_vertices(); ++v) pairs += fmt::format("{} {}\n", v, v);
+  folder_.write("pairs.txt", pairs);
+  EXPECT_THAT(run(arguments({}, "pairs.txt")).output, HasSubstr("taken as numbered from zero"));
+  EXPECT_EQ(run(arguments({}, "map.txt")).output.find("numbered"), std::string::npos);
 }
 
 TEST_F(Eval, PointsOnTrianglesHaveAnErrorOfTheirOwn) {
@@ -167,7 +200,7 @@ TEST_F(Eval, MapOfOtherMeshIsRejected) {
   folder_.write("short.txt", "0\n1\n2\n");
   const Outcome outcome = run(arguments({}, "short.txt"));
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.errors, HasSubstr("3 lines, but the source has 162 vertices"));
+  EXPECT_THAT(outcome.errors, HasSubstr("is for 3 vertices, but the source has 162"));
 }
 
 TEST_F(Eval, TruthsOfDifferentLengthAreRejected) {

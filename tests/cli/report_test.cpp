@@ -101,7 +101,7 @@ TEST_F(ReportWithPage, BadInputIsNamed) {
   EXPECT_THAT(report({"--gt-source", path("source.vts")}).errors, HasSubstr("--gt-target"));
   folder_.write("short.vts", "1\n2\n");
   EXPECT_THAT(report({"--gt-source", path("source.vts"), "--gt-target", path("short.vts")}).errors,
-              HasSubstr("another number of template points"));
+              HasSubstr("2 template points, but"));
   folder_.write("out/levels/01.correspondence.txt", "0 5 0.1\n0 nose 0.1\n");
   const Outcome outcome = report();
   EXPECT_EQ(outcome.exit_code, 2);

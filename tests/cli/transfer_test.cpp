@@ -66,11 +66,12 @@ class Transfer : public MatchProgram {
     EXPECT_EQ(outcome.errors, "");
   }
 
-  std::string refusal(const std::vector<std::string>& more) const {
-    const Outcome outcome = carry(more, "refused");
+  std::string refusal(const std::vector<std::string>& more,
+                      const std::string& output = "refused") const {
+    const Outcome outcome = carry(more, output);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1);
-    EXPECT_FALSE(fs::exists(path("refused")));
+    EXPECT_FALSE(fs::exists(path(output)));
     return outcome.errors;
   }
 
@@ -123,6 +124,9 @@ TEST_F(Transfer, LandmarksInBothForms) {
   const std::string landmarks = folder_.write("landmarks.txt", "5\n700\n5\n");
   expect_carried({"--landmarks", landmarks}, "carried.txt");
   EXPECT_EQ(bytes("carried.txt"), "9\n704\n9\n");
+  // .vts files are numbered from one, read and written.
+  expect_carried({"--landmarks", folder_.write("landmarks.vts", "6\n701\n6\n")}, "carried.vts");
+  EXPECT_EQ(bytes("carried.vts"), "10\n705\n10\n");
   expect_carried({"--landmarks", landmarks}, "carried.bary.txt");
   const SurfaceMap points = read_surface_map(path("carried.bary.txt"), {3, copy_.num_faces()});
   EXPECT_EQ(position(copy_, points[1]), copy_.vertices[704]);
@@ -248,8 +252,9 @@ TEST_F(Transfer, BadInputIsRefused) {
   EXPECT_THAT(refusal({"--poses", path("copy.ply")}), HasSubstr("copy.ply"));
   EXPECT_THAT(refusal({"--poses", path("source.off"), path("source.off")}),
               HasSubstr("two frames"));
-  EXPECT_THAT(refusal({"--landmarks", folder_.write("l.txt", "1\n100000\n")}), HasSubstr("line 2"));
-  EXPECT_THAT(refusal({"--colors", path("copy.ply")}), HasSubstr("no colours"));
+  EXPECT_THAT(refusal({"--landmarks", folder_.write("l.txt", "1\n100000\n")}, "refused.txt"),
+              HasSubstr("line 2"));
+  EXPECT_THAT(refusal({"--colors", path("copy.ply")}, "refused.ply"), HasSubstr("no colours"));
 }
 
 }  // namespace

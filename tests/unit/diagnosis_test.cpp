@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "isomatch/error.h"
 #include "isomatch/surface.h"
@@ -127,6 +129,89 @@ TEST(Diagnosis, OpenAndNonManifoldSurfacesWarn) {
                           ::testing::HasSubstr("Moebius")));
   EXPECT_THAT(diagnose(test::sphere_with_flipped_faces()).warnings(),
               ElementsAre(::testing::HasSubstr("face opposite ways")));
+}
+
+void append(const Mesh& part, const Point& shift, Mesh& mesh) {
+  const int first = mesh.num_vertices();
+  for (const Point& p : part.vertices) mesh.vertices.push_back(p + shift);
+  for (const auto& [a, b, c] : part.faces) mesh.faces.push_back({a + first, b + first, c + first});
+}
+
+TEST(Diagnosis, ASpikeIsLeftOutOfTheSurface) {
+  Mesh mesh = test::torus(48, 24);
+  const double area = surface_area(mesh);
+  mesh.vertices[100] *= 20;
+  const Inspection inspection = inspect(mesh);
+  EXPECT_EQ(inspection.diagnosis.stray_vertices, 1);
+  EXPECT_EQ(inspection.surface->surface_vertex[100], kNoVertex);
+  EXPECT_EQ(inspection.diagnosis.matchable_vertices, mesh.num_vertices() - 1);
+  EXPECT_NEAR(inspection.surface->area, area, 0.02 * area);
+  EXPECT_THAT(inspection.diagnosis.grave_warnings(),
+              ElementsAre("1 stray vertex far outside of the shape: left out, unmatched"));
+}
+
+TEST(Diagnosis, SeveralSpikesThatHangTogetherAreLeftOut) {
+  Mesh mesh = test::torus(48, 24);
+  for (int v : mesh.faces[0]) mesh.vertices[v].z() += 50;
+  EXPECT_EQ(diagnose(mesh).stray_vertices, 3);
+}
+
+TEST(Diagnosis, AFinelyMeshedHeadDoesNotMakeTheBodyAStray) {
+  // More than 99 of 100 vertices are in a ball, the others on a tube that is thirty radii long.
+  Mesh mesh = test::icosphere(5, 0.1);
+  append(test::open_cylinder(3, 30, 0.05, 3), Point(0, 0, 0.1), mesh);
+  const auto top = std::ranges::max_element(mesh.vertices.begin(), mesh.vertices.begin() + 10242,
+                                            {}, [](const Point& p) { return p.z(); });
+  mesh.faces.push_back({10242, 10243, static_cast<int>(top - mesh.vertices.begin())});
+  EXPECT_EQ(diagnose(mesh).stray_vertices, 0);
+}
+
+TEST(Diagnosis, VerticesThatAreNoNumbersAreUnmatchedAndNotRefused) {
+  Mesh mesh = test::torus(48, 24);
+  mesh.vertices[7].y() = std::nan("");
+  mesh.vertices[300].x() = std::numeric_limits<double>::infinity();
+  const Inspection inspection = inspect(mesh);
+  EXPECT_EQ(inspection.diagnosis.not_finite_vertices, 2);
+  EXPECT_EQ(inspection.diagnosis.stray_vertices, 0);
+  EXPECT_EQ(inspection.surface->surface_vertex[7], kNoVertex);
+  EXPECT_EQ(inspection.surface->surface_vertex[300], kNoVertex);
+  EXPECT_EQ(inspection.diagnosis.matchable_vertices, mesh.num_vertices() - 2);
+  EXPECT_TRUE(std::isfinite(inspection.diagnosis.area));
+  EXPECT_THAT(inspection.diagnosis.warnings(),
+              ::testing::Contains("2 vertices with coordinates that are not numbers: unmatched"));
+  EXPECT_THAT(inspection.diagnosis.grave_warnings(), IsEmpty());
+}
+
+TEST(Diagnosis, EdgesFarBeyondTheirSurroundingsAreGrave) {
+  Mesh mesh = test::torus(120, 60);
+  EXPECT_EQ(diagnose(mesh).long_edges, 0);
+  mesh.vertices[100] *= 4;  // Not far enough to be left out.
+  const MeshDiagnosis diagnosis = diagnose(mesh);
+  EXPECT_EQ(diagnosis.stray_vertices, 0);
+  EXPECT_EQ(diagnosis.long_edges, 6);
+  EXPECT_THAT(diagnosis.grave_warnings(), ElementsAre(::testing::HasSubstr("6 edges far longer")));
+}
+
+TEST(Diagnosis, SeamsThatNearlyCoincideAreGrave) {
+  Mesh mesh = test::rolled_sheet(40, 20, 2, 1, 2 * std::numbers::pi - 1e-6);
+  const MeshDiagnosis diagnosis = diagnose(mesh);
+  EXPECT_EQ(diagnosis.near_seam_vertices, 2 * 21);
+  EXPECT_THAT(diagnosis.grave_warnings(), ElementsAre(::testing::HasSubstr("nearly coincide")));
+  EXPECT_EQ(diagnose(test::rolled_sheet(40, 20, 2, 1, 6)).near_seam_vertices, 0);
+}
+
+TEST(Diagnosis, LessThanHalfOfTheAreaIsGrave) {
+  Mesh mesh;
+  for (int k = 0; k < 3; ++k) append(test::icosphere(2), Point(3 * k, 0, 0), mesh);
+  const MeshDiagnosis diagnosis = diagnose(mesh);
+  EXPECT_NEAR(diagnosis.matchable_area_share, 1.0 / 3, 1e-6);
+  EXPECT_THAT(diagnosis.grave_warnings(), ElementsAre(::testing::HasSubstr("is matched")));
+  EXPECT_THAT(diagnose(test::three_spheres()).grave_warnings(), IsEmpty());
+}
+
+TEST(Diagnosis, UnitsOfWhichAreasAreNotFiniteAreRefused) {
+  EXPECT_THROW(diagnose(test::scaled(test::torus(24, 12), 1e160)), InvalidInput);
+  EXPECT_THROW(extract_surface(test::scaled(test::torus(24, 12), 1e160)), InvalidInput);
 }
 
 TEST(Diagnosis, MeshWithoutAreaIsDiagnosedNotRefused) {

@@ -92,6 +92,47 @@ TEST_F(MapFile, NumberingIsDetectedOnlyWhereItMustBe) {
   EXPECT_EQ(report_.numbering, Numbering::kFromOne);
 }
 
+TEST_F(MapFile, WhatNumpyWritesIsRead) {
+  const MapChecks two{2, 3, 1};
+  EXPECT_EQ(
+      vertices("a.txt", "# from numpy\n# -1: none\n2.000000000000000000e+00\n-1.0e+00\n", two),
+      (VertexMap{2, kUnmatched}));
+  EXPECT_EQ(vertices("a.vts", "1.000000000000000000e+00\n3.0 # last\n", two), (VertexMap{0, 2}));
+  EXPECT_EQ(read_map(folder_.write("a.bary.txt", "# t a b c\n0.0e+00 1 0 0\n-1. 0 0 0\n"), two)
+                .points.size(),
+            2U);
+  EXPECT_THAT(error("a.txt", "1.5e+00\n"),
+              HasSubstr("line 1: expected an integer, found '1.5e+00'"));
+  EXPECT_THAT(error("a.txt", "nan\n"), HasSubstr("expected an integer"));
+  EXPECT_THAT(error("a.txt", "1e300\n"), HasSubstr("line 1: expected an integer"));
+}
+
+TEST_F(MapFile, PairsAreReadByTheSameRules) {
+  const MapChecks four_and_three{4, 3, std::nullopt};
+  const auto pairs = [&](const std::string& content) {
+    return read_matches(folder_.write("a.txt", content), four_and_three, std::nullopt, &report_)
+        .matches;
+  };
+  EXPECT_EQ(pairs("0 2\n3.0 1.0e+00 0.25\n0 2\n"), (Correspondence{{0, 2}, {3, 1}}));
+  EXPECT_FALSE(report_.is_assumed);
+  EXPECT_EQ(pairs("4 1\n1 2\n"), (Correspondence{{0, 1}, {3, 0}}));
+  EXPECT_EQ(report_.numbering, Numbering::kFromOne);
+  EXPECT_EQ(pairs("1 3\n"), (Correspondence{{0, 2}}));
+  EXPECT_EQ(pairs("1 2\n"), (Correspondence{{1, 2}}));
+  EXPECT_TRUE(report_.is_assumed);
+  EXPECT_THROW(pairs("0 3\n"), BadFile);
+  EXPECT_THROW(pairs("1 2\n4 4\n"), BadFile);
+  EXPECT_THROW(pairs("1 2\n2\n"), BadFile);
+}
+
+TEST_F(MapFile, GroundTruthNeedsAVertexForEveryPoint) {
+  EXPECT_EQ(read_ground_truth(folder_.write("a.vts", "1\n3\n1\n"), 3), (std::vector{0, 2, 0}));
+  EXPECT_EQ(read_ground_truth(folder_.write("a.txt", "0\n2\n"), 3), (std::vector{0, 2}));
+  EXPECT_THROW(read_ground_truth(folder_.write("a.vts", "4\n"), 3), BadFile);
+  EXPECT_THROW(read_ground_truth(folder_.write("a.txt", "0\n-1\n"), 3), BadFile);
+  EXPECT_THROW(read_ground_truth(folder_.write("a.bary.txt", "0 1 0 0\n"), 3), BadFile);
+}
+
 TEST_F(MapFile, BadTextIsRefused) {
   EXPECT_THAT(error("a.txt", "0\nx\n"), HasSubstr("line 2"));
   EXPECT_THAT(error("a.txt", "0 1\n"), HasSubstr("named .bary.txt"));

@@ -97,6 +97,17 @@ TEST_F(MapIo, LandmarksKeepTheirOrder) {
               ElementsAre(Match{2, 5}, Match{0, 9}));
 }
 
+TEST_F(MapIo, LandmarksOfNumpyAreRead) {
+  EXPECT_THAT(read_landmarks(folder_.write("pairs.txt", "# s t\n2.0e+00 5.00e+00\n"), {4, 10}),
+              ElementsAre(Match{2, 5}));
+  EXPECT_THAT(read_vertex_list(folder_.write("list.txt", "# v\n2.0e+00\n0\n"), 3),
+              ElementsAre(2, 0));
+}
+
+TEST_F(MapIo, VertexListsNamedVtsAreNumberedFromOne) {
+  EXPECT_THAT(read_vertex_list(folder_.write("list.vts", "3\n1\n"), 3), ElementsAre(2, 0));
+}
+
 TEST_F(MapIo, BadLandmarksNameLine) {
   const auto failure = [&](std::string_view content) {
     return message([&] { read_landmarks(folder_.write("map.txt", content), {4, 10}); });

@@ -131,6 +131,16 @@ TEST_F(PaperPoses, LeaveNoVertexOutsideThePatchesOfALevel) {
   }
 }
 
+TEST_F(PaperPoses, AreMatchedAlikeInUnitsBeyondTheRangeOf32Bits) {
+  for (const double unit : {std::exp2(-200), std::exp2(200)}) {
+    const Shape source = prepare_shape(test::scaled(creatures_[0].mesh, unit));
+    const Shape target = prepare_shape(test::scaled(creatures_[1].mesh, 1 / unit));
+    const PaperResult result = match_paper(source, target);
+    EXPECT_EQ(result.source_to_target, result_.source_to_target);
+    EXPECT_DOUBLE_EQ(result.levels[1].source_radius, unit * result_.levels[1].source_radius);
+  }
+}
+
 TEST_F(PaperPoses, ShrinkTheRadiusByTheRule) {
   const RadiusOptions options;
   for (std::size_t k = 1; k < result_.levels.size(); ++k) {

@@ -35,6 +35,13 @@ std::string skin_error(const std::string& content) {
   return error_of(content, [](const std::string& path) { read_skin_weights(path, 2); });
 }
 
+TEST(ValuesIo, WhatNumpyWritesIsRead) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("file.txt", "# labels\n3.000e+00\n-1.0e+00\n");
+  EXPECT_THAT(read_labels(path, 2), ElementsAre(3, -1));
+  EXPECT_EQ(read_values(path, 2)(0, 0), 3);
+}
+
 TEST(ValuesIo, RoundTripsAreExact) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path("file.txt");

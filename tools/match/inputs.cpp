@@ -7,24 +7,11 @@
 #include <future>
 #include <utility>
 
-#include "isomatch/error.h"
+#include "evaluation.h"
 #include "load.h"
 
 namespace isomatch::cli {
 namespace {
-
-/// Fails now rather than after the work if the results will have no place.
-void check_folder(const std::string& folder) {
-  namespace fs = std::filesystem;
-  const fs::path path = fs::absolute(folder).lexically_normal();
-  const fs::path parent =
-      path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
-  if (fs::exists(path)) {
-    if (!fs::is_directory(path)) throw BadFile(folder, "is not a folder");
-  } else if (!fs::is_directory(parent)) {
-    throw BadFile(folder, "cannot be created: there is no folder " + parent.string());
-  }
-}
 
 MatchInput read(const std::string& path) {
   MatchInput input{path, {}, {}, {}, {}};
@@ -38,6 +25,12 @@ void inspect_input(MatchInput& input) {
   input.surface = std::move(*inspection.surface);
 }
 
+/// Fails now rather than after the work.
+void check_truth(const TruthFiles& truth, const MatchInputs& inputs) {
+  if (truth.source.empty() || truth.target.empty()) return;
+  read_truth(truth, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()});
+}
+
 /// Does `work` for the source and the target, whose errors come second.
 template <class Work>
 void for_both(const Context& context, const Work& work) {
@@ -49,8 +42,15 @@ void for_both(const Context& context, const Work& work) {
 
 }  // namespace
 
+ResultPlan make_plan(const MatchArguments& arguments, std::vector<std::string> files,
+                     const std::string& more) {
+  if (arguments.page) files.emplace_back(kPage);
+  return {arguments.folder, std::move(files),
+          InputFiles({arguments.source, arguments.target, arguments.truth.source,
+                      arguments.truth.target, more})};
+}
+
 MatchInputs load_inputs(const MatchArguments& arguments, const Context& context) {
-  check_folder(arguments.folder);
   MatchInputs inputs{arguments.words, std::filesystem::current_path().string(), {}, {}, {}};
   const std::array both{&inputs.source, &inputs.target};
   const std::array paths{arguments.source, arguments.target};
@@ -64,7 +64,18 @@ MatchInputs load_inputs(const MatchArguments& arguments, const Context& context)
   for (const MatchInput* input : both)
     for (const std::string& warning : input->read_report.warnings) warn(input->path, warning);
   timed("diagnosis", kLoaded / 4, [&](int side) { inspect_input(*both[side]); });
+  check_truth(arguments.truth, inputs);
   return inputs;
+}
+
+bool has_grave_defects(const MatchInputs& inputs) {
+  return !inputs.source.diagnosis.grave_warnings().empty() ||
+         !inputs.target.diagnosis.grave_warnings().empty();
+}
+
+void warn_of_grave_defects(const MatchInputs& inputs) {
+  for (const MatchInput* input : {&inputs.source, &inputs.target})
+    for (const std::string& warning : input->diagnosis.grave_warnings()) warn(input->path, warning);
 }
 
 std::vector<std::vector<int>> input_vertices(const Surface& surface) {

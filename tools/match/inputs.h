@@ -9,6 +9,7 @@
 #include "isomatch/mesh_io.h"
 #include "isomatch/stage_times.h"
 #include "match/method.h"
+#include "match/result_folder.h"
 
 namespace isomatch::cli {
 
@@ -28,9 +29,20 @@ struct MatchInputs {
   std::vector<StageTime> times;
 };
 
-/// Checks that the results will have a place, then reads and inspects both meshes, at the same time
-/// if there are threads. Reports progress up to `kLoaded`. Throws `BadFile`.
+/// What `isomatch match` is going to write besides `files` of its method: the page, if it is asked
+/// for. Of what it reads nothing may be touched, nor `more`, which may be empty.
+ResultPlan make_plan(const MatchArguments& arguments, std::vector<std::string> files,
+                     const std::string& more = "");
+
+/// Reads and inspects both meshes, at the same time if there are threads, and checks the truth
+/// against them. Reports progress up to `kLoaded`. Throws `BadFile`.
 MatchInputs load_inputs(const MatchArguments& arguments, const Context& context);
+
+/// Whether one of the meshes has a defect for which no map is to be trusted without a look.
+bool has_grave_defects(const MatchInputs& inputs);
+
+/// Tells of these defects on standard error.
+void warn_of_grave_defects(const MatchInputs& inputs);
 
 /// Input vertices of each surface vertex: several where a seam was joined.
 std::vector<std::vector<int>> input_vertices(const Surface& surface);

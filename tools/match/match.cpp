@@ -10,6 +10,7 @@
 #include "match/method.h"
 #include "page/options.h"
 #include "page/page.h"
+#include "result/written_files.h"
 
 namespace isomatch::cli {
 namespace {
@@ -72,7 +73,7 @@ void run_match(const MatchCommand& match, const Context& context) {
   if (match.report) check_page_available();
   match.methods.at(match.method)(arguments, context);
   if (!match.report) return;
-  const std::string page = (std::filesystem::path(arguments.folder) / "report.html").string();
+  const std::string page = (std::filesystem::path(arguments.folder) / kPage).string();
   write_page(page, arguments.folder, {arguments.source, arguments.target}, match.page, context);
   if (!arguments.quiet) fmt::print("to look at it, open {}\n", page);
 }
@@ -97,6 +98,8 @@ void add_match(CLI::App& app, Request& request) {
     refuse_options_without_report(command, *match);
     match->arguments.words = request.words;
     match->arguments.quiet = request.quiet;
+    match->arguments.page = match->report;
+    match->arguments.truth = match->page.truth;
     request.action = [match](const Context& context) { run_match(*match, context); };
   });
 }

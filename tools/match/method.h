@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation.h"
 #include "isomatch/context.h"
 
 namespace isomatch::cli {
@@ -17,6 +18,9 @@ struct MatchArguments {
   /// The command line, for the report.
   std::vector<std::string> words;
   unsigned long seed = 0;
+  /// Whether a page follows, report.html, and the truth that it shows.
+  bool page = false;
+  TruthFiles truth;
   bool quiet = false;
 };
 

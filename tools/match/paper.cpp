@@ -40,6 +40,8 @@ void print_summary(const PaperRun& run, const std::string& folder) {
 void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
                const Context& context) {
   paper.options.validate();
+  const ResultPlan plan = make_plan(arguments, paper_files(paper.options.max_levels));
+  check_plan(plan);
   MatchInputs inputs = load_inputs(arguments, context);
   const auto prepared = [&](const MatchInput& input) {
     context.report(kLoaded / 2, "geodesic graph");
@@ -53,8 +55,8 @@ void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
                      std::move(result),
                      {source.unit * source.max_geodesic, target.unit * target.max_geodesic}};
   context.report(kMatched, "writing");
-  write_paper(arguments.folder, run);
-  if (!arguments.quiet) print_summary(run, arguments.folder);
+  write_paper(plan, run);
+  arguments.quiet ? warn_of_grave_defects(run.inputs) : print_summary(run, arguments.folder);
 }
 
 }  // namespace

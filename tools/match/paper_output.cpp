@@ -9,7 +9,6 @@
 #include "isomatch/map_io.h"
 #include "match/input_numbers.h"
 #include "match/report.h"
-#include "match/result_folder.h"
 
 namespace isomatch::cli {
 namespace {
@@ -48,12 +47,15 @@ Json report_json(const PaperRun& run, const std::vector<StageTime>& times) {
   return report;
 }
 
+std::string level_file(std::size_t level, std::string_view name) {
+  return fmt::format("levels/{:02}.{}.txt", level, name);
+}
+
 void write_levels(ResultFolder& folder, const PaperResult& result, const InputNumbers& numbers) {
   for (std::size_t k = 0; k < result.levels.size(); ++k) {
     const PaperLevel& level = result.levels[k];
     const auto write = [&](std::string_view name, const MeasuredMatches& measured) {
-      write_correspondence(folder.add(fmt::format("levels/{:02}.{}.txt", k, name)),
-                           measured.matches, measured.distortion);
+      write_correspondence(folder.add(level_file(k, name)), measured.matches, measured.distortion);
     };
     write("correspondence", numbers.translate(level.matches, level.distortion));
     write("many_to_one",
@@ -63,9 +65,18 @@ void write_levels(ResultFolder& folder, const PaperResult& result, const InputNu
 
 }  // namespace
 
-void write_paper(const std::string& path, const PaperRun& run) {
+std::vector<std::string> paper_files(int max_levels) {
+  // No mesh has as many levels.
+  constexpr int kMostLevels = 1000;
+  std::vector<std::string> files{"source_to_target.txt", "correspondence.txt", "levels.json"};
+  for (int k = 0; k <= std::min(max_levels, kMostLevels); ++k)
+    for (const char* name : {"correspondence", "many_to_one"}) files.push_back(level_file(k, name));
+  return files;
+}
+
+void write_paper(const ResultPlan& plan, const PaperRun& run) {
   std::vector<StageTime> times = joined(run.inputs.times, run.result.times);
-  ResultFolder folder(path);
+  ResultFolder folder(plan);
   {
     const StageTimer timer(times, "writing");
     const InputNumbers numbers(run.inputs, run.result);

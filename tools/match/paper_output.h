@@ -4,10 +4,12 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "isomatch/paper.h"
 #include "json.h"
 #include "match/inputs.h"
+#include "match/result_folder.h"
 
 namespace isomatch::cli {
 
@@ -20,11 +22,14 @@ struct PaperRun {
   std::array<double, 2> max_geodesics;
 };
 
-/// Writes into the folder `path` (see `ResultFolder`), in the numbers of the input files:
+/// Writes into the folder of `plan` (see `ResultFolder`), in the numbers of the input files:
 /// - source_to_target.txt: the target vertex of every source vertex;
 /// - correspondence.txt: the many-to-many result, with d_iso;
 /// - levels/KK.correspondence.txt and levels/KK.many_to_one.txt: xi(k) and xi(k,1) of level k;
 /// - levels.json and report.json.
-void write_paper(const std::string& path, const PaperRun& run);
+void write_paper(const ResultPlan& plan, const PaperRun& run);
+
+/// The names of what it may write, with this last level at most; but for report.json.
+std::vector<std::string> paper_files(int max_levels);
 
 }  // namespace isomatch::cli

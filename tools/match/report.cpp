@@ -10,10 +10,11 @@ namespace isomatch::cli {
 namespace {
 
 Json input_json(const MatchInput& input) {
-  Json json{{"file", input.path},
-            {"triangulated_polygons", input.read_report.triangulated_polygons},
-            {"merged_vertices", input.read_report.merged_vertices},
-            {"read_warnings", input.read_report.warnings}};
+  Json json;
+  set_path(json, "file", input.path);
+  json.update({{"triangulated_polygons", input.read_report.triangulated_polygons},
+               {"merged_vertices", input.read_report.merged_vertices},
+               {"read_warnings", input.read_report.warnings}});
   json.update(to_json(input.diagnosis));
   return json;
 }
@@ -21,12 +22,13 @@ Json input_json(const MatchInput& input) {
 }  // namespace
 
 Json report_head(const MatchInputs& inputs, const Json& options) {
-  return {{"isomatch", kVersion},
-          {"command", inputs.words},
-          {"working_folder", inputs.working_folder},
-          {"options", options},
-          {"source", input_json(inputs.source)},
-          {"target", input_json(inputs.target)}};
+  Json head{{"isomatch", kVersion}};
+  set_paths(head, "command", inputs.words);
+  set_path(head, "working_folder", inputs.working_folder);
+  head.update({{"options", options},
+               {"source", input_json(inputs.source)},
+               {"target", input_json(inputs.target)}});
+  return head;
 }
 
 std::vector<StageTime> joined(std::vector<StageTime> loading,

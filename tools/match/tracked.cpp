@@ -37,15 +37,17 @@ Correspondence load_landmarks(const std::string& file, const MatchInputs& inputs
 Json tracked_options_json(const MatchArguments& arguments, const TrackedArguments& tracked) {
   Json json = options_json("tracked", arguments.seed);
   add_options(json, tracked.options);
-  json["landmarks"] = tracked.landmarks.empty() ? Json() : Json(tracked.landmarks);
+  json["landmarks"] = Json();
+  if (!tracked.landmarks.empty()) set_path(json, "landmarks", tracked.landmarks);
   json["target-to-source"] = tracked.target_to_source;
   return json;
 }
 
 std::string describe_confidence(const TrackedRun& run) {
   const TrackedResult& result = run.result;
+  if (has_grave_defects(run.inputs)) return "doubtful: see what is wrong with the shapes below";
   if (result.confidence >= 1) return "clear: there was no other";
-  if (result.confidence >= kClearConfidence) return fmt::format("clear, {:.2f}", result.confidence);
+  if (is_clear(run)) return fmt::format("clear, {:.2f}", result.confidence);
   return fmt::format("ambiguous, {:.2f}: the second best map differs and is nearly as good",
                      result.confidence);
 }
@@ -67,6 +69,10 @@ void print_summary(const TrackedRun& run, const std::string& folder) {
 void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
                  const Context& context) {
   tracked.options.validate();
+  const ResultPlan plan =
+      make_plan(arguments, tracked_files(tracked.options.alternatives, tracked.target_to_source),
+                tracked.landmarks);
+  check_plan(plan);
   MatchInputs inputs = load_inputs(arguments, context);
   if (!tracked.landmarks.empty())
     tracked.options.landmarks = load_landmarks(tracked.landmarks, inputs);
@@ -75,8 +81,8 @@ void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
   const TrackedRun run{std::move(inputs), tracked_options_json(arguments, tracked),
                        std::move(result), tracked.target_to_source};
   context.report(kMatched, "writing");
-  write_tracked(arguments.folder, run);
-  if (!arguments.quiet) print_summary(run, arguments.folder);
+  write_tracked(plan, run);
+  arguments.quiet ? warn_of_grave_defects(run.inputs) : print_summary(run, arguments.folder);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "isomatch/topology.h"
 #include "match/input_numbers.h"
 #include "match/report.h"
-#include "match/result_folder.h"
 
 namespace isomatch::cli {
 namespace {
@@ -82,7 +81,7 @@ Json report_json(const TrackedRun& run, std::size_t num_matches,
                  {"matches", num_matches},
                  {"map", map_json(result.maps.front())},
                  {"confidence", result.confidence},
-                 {"clear", result.confidence >= kClearConfidence},
+                 {"clear", is_clear(run)},
                  {"oriented", result.oriented},
                  {"alternatives", alternatives_json(result.maps)},
                  {"hypotheses", hypotheses_json(result.hypotheses)}});
@@ -92,14 +91,35 @@ Json report_json(const TrackedRun& run, std::size_t num_matches,
 
 }  // namespace
 
+std::vector<std::string> tracked_files(int alternatives, bool target_to_source) {
+  // There are never as many.
+  constexpr int kMostAlternatives = 1000;
+  std::vector<std::string> files{"correspondence.txt"};
+  for (int k = 0; k <= std::min(alternatives, kMostAlternatives); ++k) {
+    const std::string place = k == 0 ? "" : alternative_folder(k) + "/";
+    files.push_back(place + "registered.ply");
+    for (const char* map : {"source_to_target", "target_to_source"}) {
+      if (map[0] == 't' && !target_to_source) continue;
+      for (const char* ending : {".txt", ".bary.txt"}) files.push_back(place + map + ending);
+    }
+  }
+  return files;
+}
+
+bool is_clear(const TrackedRun& run) {
+  // Costs that differ by less may well be those of the other map.
+  constexpr double kClearConfidence = 0.1;
+  return run.result.confidence >= kClearConfidence && !has_grave_defects(run.inputs);
+}
+
 int matched_vertices(const TrackedRun& run, const TrackedMap& map) {
   return count_points(input_points(run.inputs.source, run.inputs.target, map.source_to_target));
 }
 
-void write_tracked(const std::string& path, const TrackedRun& run) {
+void write_tracked(const ResultPlan& plan, const TrackedRun& run) {
   const std::vector<TrackedMap>& maps = run.result.maps;
   std::vector<StageTime> times = joined(run.inputs.times, run.result.times);
-  ResultFolder folder(path);
+  ResultFolder folder(plan);
   std::size_t num_matches = 0;
   {
     const StageTimer timer(times, "writing");

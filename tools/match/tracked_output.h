@@ -7,6 +7,7 @@
 #include "isomatch/tracked.h"
 #include "json.h"
 #include "match/inputs.h"
+#include "match/result_folder.h"
 
 namespace isomatch::cli {
 
@@ -21,11 +22,11 @@ struct TrackedRun {
 /// Of the source's input vertices, those that `map`, one of `run`'s, leads to a point.
 int matched_vertices(const TrackedRun& run, const TrackedMap& map);
 
-/// A best map whose energy is this close to the second best one's, as `TrackedResult::confidence`
-/// puts it, could as well be the other.
-inline constexpr double kClearConfidence = 0.1;
+/// Whether the best map is the right one as far as can be told: the second best is worse by more
+/// than could be chance, and neither shape has a grave defect.
+bool is_clear(const TrackedRun& run);
 
-/// Writes into the folder `path` (see `ResultFolder`), in the numbers of the input files:
+/// Writes into the folder of `plan` (see `ResultFolder`), in the numbers of the input files:
 /// - source_to_target.txt: the nearest target vertex of every source vertex;
 /// - source_to_target.bary.txt: the target face of every source vertex, and the weights;
 /// - target_to_source.txt and .bary.txt: the same the other way round, if asked for;
@@ -33,6 +34,9 @@ inline constexpr double kClearConfidence = 0.1;
 /// - correspondence.txt: the many-to-many relation of the best map;
 /// - alternatives/K/: the maps of the alternatives, from 1, under the same names;
 /// - report.json.
-void write_tracked(const std::string& path, const TrackedRun& run);
+void write_tracked(const ResultPlan& plan, const TrackedRun& run);
+
+/// The names of what it may write, with this many alternatives at most; but for report.json.
+std::vector<std::string> tracked_files(int alternatives, bool target_to_source);
 
 }  // namespace isomatch::cli

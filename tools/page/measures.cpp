@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "isomatch/error.h"
-#include "isomatch/map_io.h"
 #include "isomatch/metrics.h"
 #include "load.h"
 #include "point_tree.h"
@@ -48,12 +47,10 @@ std::vector<double> measured_d_iso(const Shapes& shapes, const SurfaceMap& map,
 
 /// At most `kMaxErrorSamples` points of a truth, evenly spaced in its order.
 GroundTruth load_truth(const MatchResult& result, const Shapes& shapes, const TruthFiles& files) {
-  const std::vector<int> source = read_vts(files.source, result.source.num_vertices());
-  const std::vector<int> target = read_vts(files.target, result.target.num_vertices());
-  if (source.size() != target.size())
-    throw BadFile(files.target, "has another number of template points than " + files.source);
+  const TruthVertices given =
+      read_truth(files, {result.source.num_vertices(), result.target.num_vertices()});
   const GroundTruth all =
-      surface_truth(shapes.source.surface, shapes.target.surface, source, target);
+      surface_truth(shapes.source.surface, shapes.target.surface, given.source, given.target);
   if (all.size() <= kMaxErrorSamples) return all;
   GroundTruth truth;
   for (std::size_t i = 0; i < kMaxErrorSamples; ++i) {

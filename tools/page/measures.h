@@ -26,7 +26,8 @@ inline constexpr int kMaxErrorSamples = 20000;
 
 /// Measures every map of `result`, against `truth` if it is given (but for its symmetric one). The
 /// paper's d_iso is that of its last level, others are measured against 100 matches as in the
-/// paper. Throws `BadFile` as `read_vts`, and `InvalidInput` if only one file of a truth is given.
+/// paper. Throws `BadFile` as `read_ground_truth`, and `InvalidInput` if only one file of a truth
+/// is given.
 std::vector<MapMeasures> measure_maps(const MatchResult& result,
                                       const std::vector<ResultLevel>& levels,
                                       const TruthFiles& truth, const Context& context);

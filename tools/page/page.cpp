@@ -2,9 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "page/page.h"
 
+#include <filesystem>
+
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
 #include "page/template.h"
+#include "result/written_files.h"
 
 namespace isomatch::cli {
 namespace {
@@ -12,6 +15,12 @@ namespace {
 constexpr std::string_view kManifestElement =
     R"(<script type="application/json" id="isomatch-manifest">)";
 constexpr std::string_view kArraysElement = R"(<script type="text/plain" id="isomatch-arrays">)";
+
+bool is_own_page(const std::filesystem::path& path, const std::string& folder) {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::absolute(path).parent_path();
+  return path.filename() == kPage && std::filesystem::equivalent(parent, folder, error);
+}
 
 /// JSON in which no "</script>" or "<!--" can occur, which would end the element.
 std::string embeddable(const Json& json) {
@@ -55,15 +64,30 @@ std::string filled_page(std::string_view page, const PageData& data) {
   return filled;
 }
 
+void check_page_output(const std::string& path, const std::string& folder, const MeshPlaces& places,
+                       const TruthFiles& truth) {
+  check_page_available();
+  check_ending(path, {".html", ".htm"});
+  InputFiles inputs = result_inputs(folder, places);
+  for (const std::string& file : {truth.source, truth.target, truth.symmetric_target})
+    inputs.add(file);
+  check_output(path, inputs);
+  if (is_own_page(path, folder)) check_replaceable(folder, {kPage}, inputs);
+}
+
 void write_page(const std::string& path, const std::string& folder, const MeshPlaces& places,
                 const PageOptions& options, const Context& context) {
   check_page_available();
   context.report(0, "reading");
-  const MatchResult result = load_result(folder, places);
+  MatchResult result = load_result(folder, places);
+  const bool is_own = is_own_page(path, folder);
+  // The page shows the report as it will be.
+  if (is_own) result.report = with_file(std::move(result.report), kPage);
   const std::string page = filled_page(page_template(), page_data(result, options, context));
   AtomicFile file(path);
   file.write(page);
   file.commit();
+  if (is_own) list_in_report(folder, kPage);
 }
 
 }  // namespace isomatch::cli

@@ -10,6 +10,7 @@
 #include "isomatch/error.h"
 #include "isomatch/map_io.h"
 #include "isomatch/mesh_io.h"
+#include "result/written_files.h"
 
 namespace isomatch::cli {
 namespace {
@@ -21,9 +22,12 @@ Json read_report(const std::string& path) {
   if (!file) throw BadFile(path, "cannot be opened; is this the folder of a match?");
   try {
     Json report = Json::parse(file);
-    for (const char* side : {"source", "target"})
-      for (const char* field : {"file", "vertices", "faces"}) report.at(side).at(field);
-    report.at("options").at("method");
+    for (const char* side : {"source", "target"}) {
+      get_path(report.at(side), "file");
+      for (const char* field : {"vertices", "faces"}) report.at(side).at(field).get<int>();
+    }
+    report.at("options").at("method").get<std::string>();
+    if (report.contains("working_folder")) get_path(report, "working_folder");
     return report;
   } catch (const Json::exception& error) {
     throw BadFile(path, fmt::format("is not the report of a match: {}", error.what()));
@@ -33,9 +37,10 @@ Json read_report(const std::string& path) {
 /// The mesh file as it was given, seen from here or from where the match was run.
 std::string find_mesh(const Json& report, const char* side, const std::string& place) {
   if (!place.empty()) return place;
-  const std::string given = report[side]["file"];
+  const std::string given = get_path(report[side], "file");
   if (fs::exists(given)) return given;
-  const std::string origin = report.value("working_folder", "");
+  const std::string origin =
+      report.contains("working_folder") ? get_path(report, "working_folder") : "";
   const std::string there = (fs::path(origin) / given).lexically_normal().string();
   if (!origin.empty() && fs::exists(there)) return there;
   throw BadFile(given, fmt::format("is not there any more; say where it is with --{}", side));
@@ -75,6 +80,16 @@ ResultMap load_map(const MatchResult& result, const std::string& folder) {
 
 std::string MatchResult::path(const std::string& name) const {
   return (fs::path(folder) / name).string();
+}
+
+InputFiles result_inputs(const std::string& folder, const MeshPlaces& places) {
+  const Json report = read_report((fs::path(folder) / kReport).string());
+  InputFiles inputs({(fs::path(folder) / kReport).string()});
+  for (const std::string& name : written_files(folder))
+    if (name != kPage) inputs.add((fs::path(folder) / name).string());
+  inputs.add(find_mesh(report, "source", places.source));
+  inputs.add(find_mesh(report, "target", places.target));
+  return inputs;
 }
 
 MatchResult load_result(const std::string& folder, const MeshPlaces& places) {

@@ -9,6 +9,7 @@
 #include "isomatch/mesh.h"
 #include "isomatch/surface_map.h"
 #include "json.h"
+#include "result/input_files.h"
 
 namespace isomatch::cli {
 
@@ -44,6 +45,11 @@ struct MatchResult {
 struct MeshPlaces {
   std::string source, target;
 };
+
+/// The files that `load_result` reads and what else belongs to them: all that the match wrote but
+/// the page, and the meshes with their materials and images. Throws `BadFile` if the report or a
+/// mesh is missing.
+InputFiles result_inputs(const std::string& folder, const MeshPlaces& places = {});
 
 /// Reads a result folder. Meshes are looked for under the names they were given by, from the
 /// current folder and then from the one in which the match was run. Throws `BadFile` if something

@@ -8,13 +8,16 @@
 #include <filesystem>
 
 #include "isomatch/error.h"
-#include "isomatch/map_io.h"
+#include "isomatch/map_file.h"
 #include "isomatch/mesh_io.h"
 #include "isomatch/pose_transfer.h"
 #include "isomatch/texture_io.h"
 #include "isomatch/transfer.h"
 #include "isomatch/values_io.h"
+#include "isomatch/version.h"
 #include "load.h"
+#include "result/written_files.h"
+#include "transfer/outputs.h"
 
 namespace isomatch::cli {
 namespace {
@@ -29,23 +32,22 @@ void check_same_mesh(const std::string& path, const Mesh& mesh, const Mesh& from
     throw BadFile(path, "does not have the vertices and faces of the mesh that was matched");
 }
 
-/// The file for a frame in the folder of frames.
-std::string frame_output(const std::string& folder, const std::string& frame) {
-  return (fs::path(folder) / fs::path(frame).filename().replace_extension(".ply")).string();
-}
-
 void create_folder(const std::string& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) throw BadFile(path, "cannot be created: " + error.message());
 }
 
-void check_distinct_outputs(const std::vector<std::string>& frames) {
-  std::vector<std::string> names;
-  for (const std::string& frame : frames) names.push_back(frame_output("", frame));
-  std::ranges::sort(names);
-  if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
-    throw BadFile(*twice, "two frames would be written to this name");
+/// Creates the folder of frames with the list by which isomatch will know them again.
+void prepare_frames(const TransferArguments& arguments) {
+  create_folder(arguments.output);
+  std::vector<std::string> files = written_files(arguments.output);
+  for (const std::string& frame : arguments.poses)
+    if (std::ranges::count(files, frame_name(frame)) == 0) files.push_back(frame_name(frame));
+  std::ranges::sort(files);
+  Json report{{"isomatch", kVersion}};
+  set_path(report, "result", arguments.folder);
+  write_listing(arguments.output, kTransfer, report, files);
 }
 
 }  // namespace
@@ -78,10 +80,7 @@ void carry_landmarks(const TransferJob& job, const TransferArguments& arguments)
   const std::vector<int> landmarks = read_vertex_list(arguments.landmarks, job.from.num_vertices());
   const SurfaceMap points =
       transfer_points(job.from, job.onto, job.from_to_onto, corner_points(job.from, landmarks));
-  if (arguments.output.ends_with(".bary.txt"))
-    write_surface_map(arguments.output, points);
-  else
-    write_source_to_target(arguments.output, nearest_vertices(job.onto, points));
+  write_map(arguments.output, {nearest_vertices(job.onto, points), points});
 }
 
 void carry_skin(const TransferJob& job, const TransferArguments& arguments) {
@@ -90,7 +89,6 @@ void carry_skin(const TransferJob& job, const TransferArguments& arguments) {
 }
 
 void carry_poses(const TransferJob& job, const TransferArguments& arguments) {
-  check_distinct_outputs(arguments.poses);
   const PoseTransfer carry(job.from, job.onto, job.onto_to_from,
                            {.same_rest_pose = arguments.same_rest_pose});
   Mesh pose = job.onto;
@@ -98,8 +96,8 @@ void carry_poses(const TransferJob& job, const TransferArguments& arguments) {
     const Mesh frame = load_mesh(path);
     check_same_mesh(path, frame, job.from);
     pose.vertices = carry(frame.vertices);
-    create_folder(arguments.output);
-    write_mesh(frame_output(arguments.output, path), pose);
+    prepare_frames(arguments);
+    write_mesh((fs::path(arguments.output) / frame_name(path)).string(), pose);
   }
 }
 

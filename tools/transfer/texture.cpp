@@ -16,6 +16,7 @@
 #include "result/image_line.h"
 #include "result/materials.h"
 #include "transfer/carry.h"
+#include "transfer/outputs.h"
 
 namespace isomatch::cli {
 namespace {
@@ -79,7 +80,6 @@ MovedMaterials moved_materials(const std::string& path, const Texture& texture,
 /// One material that shows the image.
 std::string image_library(const std::string& name, const std::string& image,
                           const std::string& output) {
-  if (!fs::exists(image)) throw BadFile(image, "is not there");
   return fmt::format("newmtl {}\nKd 1 1 1\nmap_Kd {}\n", name, seen_from(output, image));
 }
 
@@ -99,7 +99,7 @@ void carry_texture(const TransferJob& job, const TransferArguments& arguments) {
   if (from.mesh.faces != job.from.faces || from.mesh.num_vertices() != job.from.num_vertices())
     throw BadFile(arguments.texture,
                   "does not have the vertices and faces of the mesh that was matched");
-  const fs::path library = fs::path(arguments.output).replace_extension(".mtl");
+  const fs::path library = material_output(arguments.output);
   MovedMaterials materials;
   if (arguments.image.empty()) {
     materials = moved_materials(arguments.texture, from.texture, library.string());

@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "transfer/carry.h"
+#include "transfer/outputs.h"
 
 namespace isomatch::cli {
 namespace {
@@ -77,6 +78,7 @@ void add_transfer(CLI::App& app, Request& request) {
   set_example(command, "isomatch transfer cats --texture cat0.obj -o cat1.obj");
   command.callback([arguments, &request] {
     request.action = [arguments](const Context& context) {
+      check_transfer(*arguments);
       chosen_carry (*arguments)(load_transfer(*arguments, context), *arguments);
     };
   });

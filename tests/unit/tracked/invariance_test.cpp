@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "support/context.h"
@@ -42,6 +43,15 @@ TEST_F(TrackedInvariance, ThreadsChangeNothing) {
         return a.distortion == b.distortion && a.orientation == b.orientation &&
                a.coarse_energy == b.coarse_energy;
       }));
+}
+
+TEST_F(TrackedInvariance, UnitsBeyondTheRangeOf32BitsChangeNothing) {
+  for (const double unit : {std::exp2(-200), std::exp2(200)}) {
+    const Shape source = prepare_shape(test::scaled(pair_.source, unit));
+    const Shape target = prepare_shape(test::scaled(pair_.target, 1 / unit));
+    EXPECT_EQ(match_tracked(source.surface, target.surface).maps.front().source_to_target,
+              map_.source_to_target);
+  }
 }
 
 TEST_F(TrackedInvariance, ScaleAndPositionDoNotMatter) {

@@ -80,11 +80,30 @@ TEST(PoseTransfer, InTheSameRestPoseItKeepsHowItStands) {
   const Eigen::Affine3d turn(Eigen::AngleAxisd(0.3, Point::UnitY()));
   Mesh target = source;
   target.vertices = transformed(turn, source.vertices);
+  for (Point& p : target.vertices) p = 2 * p + Point(5, -3, 1);
   const PoseTransfer carry(source, target, test::identity_map(source), {.same_rest_pose = true});
-  const std::vector<Point> still = carry(source.vertices);
-  const Point shift = still[0] - target.vertices[0];
-  for (std::size_t v = 0; v < still.size(); ++v)
-    EXPECT_LT((still[v] - target.vertices[v] - shift).norm(), 1e-9);
+  EXPECT_EQ(carry(source.vertices), target.vertices);
+  Mesh moved = source;
+  for (Point& p : moved.vertices) p += Point(0, 1, 0);
+  Mesh expected = target;
+  for (Point& p : expected.vertices) p += Point(0, 2, 0);
+  expect_near(carry(moved.vertices), expected.vertices, 1e-9);
+}
+
+TEST(PoseTransfer, TheNeutralFrameIsTheTargetItself) {
+  // Of another shape, with a part that is not matched and a face without area.
+  const Mesh source = test::icosphere(2);
+  Mesh target = source;
+  for (Point& p : target.vertices) p = p.cwiseProduct(Point(1, 2, 0.5)) + Point(7, 0, 0);
+  target = test::combined(target, test::scaled(test::icosphere(1), 0.1));
+  target.vertices.insert(target.vertices.end(), {Point(8, 1, 0), Point(9, 2, 0), Point(10, 3, 0)});
+  const int last = target.num_vertices() - 1;
+  target.faces.push_back({last - 2, last - 1, last});
+  SurfaceMap map = test::identity_map(source);
+  map[3] = {};
+  map.resize(target.vertices.size());
+  const PoseTransfer carry(source, target, map, {.same_rest_pose = true});
+  expect_near(carry(source.vertices), target.vertices, 1e-12);
 }
 
 TEST(PoseTransfer, SplitVerticesStayTogether) {

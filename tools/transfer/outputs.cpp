@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "transfer/outputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "isomatch/error.h"
+#include "isomatch/map_file.h"
+#include "result/written_files.h"
+
+namespace isomatch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+InputFiles inputs_of(const TransferArguments& arguments) {
+  InputFiles inputs = result_inputs(arguments.folder, arguments.places);
+  for (const std::string& file :
+       {arguments.values, arguments.labels, arguments.colors, arguments.landmarks, arguments.skin,
+        arguments.texture, arguments.image})
+    inputs.add(file);
+  for (const std::string& frame : arguments.poses) inputs.add(frame);
+  return inputs;
+}
+
+void check_frames(const TransferArguments& arguments, const InputFiles& inputs) {
+  std::vector<std::string> names;
+  for (const std::string& frame : arguments.poses) names.push_back(frame_name(frame));
+  std::ranges::sort(names);
+  if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
+    throw BadFile(*twice, "two frames would be written to this name");
+  check_folder_output(arguments.output);
+  names.emplace_back(kTransfer);
+  check_replaceable(arguments.output, names, inputs);
+}
+
+void check_endings(const TransferArguments& arguments) {
+  if (!arguments.colors.empty()) check_ending(arguments.output, {".ply"});
+  if (!arguments.texture.empty()) check_ending(arguments.output, {".obj"});
+  if (!arguments.landmarks.empty()) check_map_output(arguments.output);
+}
+
+}  // namespace
+
+std::string frame_name(const std::string& frame) {
+  return fs::path(frame).filename().replace_extension(".ply").string();
+}
+
+std::string material_output(const std::string& output) {
+  return fs::path(output).replace_extension(".mtl").string();
+}
+
+void check_transfer(const TransferArguments& arguments) {
+  const InputFiles inputs = inputs_of(arguments);
+  if (!arguments.poses.empty()) return check_frames(arguments, inputs);
+  check_endings(arguments);
+  if (const std::string& image = arguments.image; !image.empty() && !fs::exists(image))
+    throw BadFile(image, "is not there");
+  check_output(arguments.output, inputs);
+  if (!arguments.texture.empty())
+    check_companion_output(material_output(arguments.output), arguments.output, inputs);
+}
+
+}  // namespace isomatch::cli
