@@ -10,11 +10,12 @@ set(ISOMATCH_TEST_HEADERS ${ISOMATCH_COMMON_HEADERS} <gmock/gmock.h> <gtest/gtes
 
 # The same object files for every checkout of the sources, wherever it lies.
 find_program(ISOMATCH_CCACHE ccache)
+set(ISOMATCH_CCACHE_SETTINGS
+    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime)
 if(PROJECT_IS_TOP_LEVEL AND ISOMATCH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
-      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-      ${ISOMATCH_CCACHE})
+      ${CMAKE_COMMAND} -E env ${ISOMATCH_CCACHE_SETTINGS} ${ISOMATCH_CCACHE})
 endif()
 
 # Code that is not worth optimising much in daily work: the library is what runs long.

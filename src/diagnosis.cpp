@@ -101,6 +101,9 @@ struct Defect {
   const char* many;
 };
 
+/// A seam across the shape has about as many vertices as a side of a square of all of them.
+bool is_torn(const MeshDiagnosis& d) { return d.near_seam_vertices > std::sqrt(d.vertices) / 2; }
+
 /// Those for which a map is not to be trusted without a look.
 std::array<Defect, 3> grave_defects(const MeshDiagnosis& d) {
   return {
@@ -108,7 +111,7 @@ std::array<Defect, 3> grave_defects(const MeshDiagnosis& d) {
         "{} stray vertices far outside of the shape: left out, unmatched"},
        {d.long_edges, "1 edge far longer than those around it: a spike or a bridge?",
         "{} edges far longer than those around them: spikes or bridges?"},
-       {d.near_seam_vertices,
+       {is_torn(d) ? d.near_seam_vertices : 0,
         "1 vertex of an open border nearly coincides with another one: the surface is torn there; "
         "merge vertices by distance first",
         "{} vertices of open borders nearly coincide with others: the surface is torn there; merge "

@@ -85,7 +85,8 @@ picture::Image draw_map(const MatchResult& result, const ResultMap& map, const P
 
 void run_render(const RenderArguments& arguments) {
   check_render(arguments);
-  const MatchResult result = load_result(arguments.folder, arguments.places);
+  MatchResult result = load_result(arguments.folder, arguments.places);
+  if (arguments.textures.empty()) make_drawable(result);
   const ResultMap& map = chosen_map(result, arguments.alternative);
   const PairView view = choose_pair_view(result, map, arguments.view);
   write_png(arguments.output, arguments.textures.empty() ? draw_map(result, map, view, arguments)

@@ -51,4 +51,9 @@ struct Surface {
 /// of positive area. O(N log N).
 Surface extract_surface(const Mesh& input);
 
+/// For each vertex itself or, where it is not finite or stray (see `MeshDiagnosis`), another one,
+/// preferably of its faces, that can stand for it where a mesh is drawn or its extent is asked for.
+/// O(N).
+std::vector<int> stand_ins(const Mesh& mesh);
+
 }  // namespace isomatch

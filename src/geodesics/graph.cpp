@@ -140,7 +140,8 @@ float mean_edge_length(const Mesh& mesh) {
     }
   }
   const double mean = sum / (3.0 * mesh.num_faces());
-  if (!(mean >= kShortest && longest <= kLongest))
+  const bool is_point = longest == 0;
+  if (!is_point && !(mean >= kShortest && longest <= kLongest))
     throw InvalidInput(fmt::format(
         "edges are {:.3g} long on average and {:.3g} at most; geodesic distances need lengths "
         "between {:g} and {:g}",

@@ -52,10 +52,10 @@ double sound_area(const Mesh& mesh, const Face& face) {
   return doubled > kRounding * coordinate * longest ? doubled / 2 : 0;
 }
 
-void check_range(const Mesh& mesh, std::span<const VertexKind> kinds) {
+void check_range(const Mesh& mesh) {
   constexpr double kLargest = 1e100;  // Areas and their sums are finite.
   for (int v = 0; v < mesh.num_vertices(); ++v) {
-    if (kinds[v] == VertexKind::kSound && mesh.vertices[v].cwiseAbs().maxCoeff() > kLargest)
+    if (mesh.vertices[v].allFinite() && mesh.vertices[v].cwiseAbs().maxCoeff() > kLargest)
       throw InvalidInput(fmt::format(
           "vertex {} has a coordinate beyond {:g}, of which areas are not finite", v, kLargest));
   }
@@ -95,8 +95,8 @@ SoundMesh renumbered(const Mesh& input, std::span<const VertexKind> kinds) {
 }  // namespace
 
 SoundMesh sound_mesh(const Mesh& input) {
+  check_range(input);
   const std::vector<VertexKind> kinds = vertex_kinds(input);
-  check_range(input, kinds);
   SoundMesh sound = renumbered(input, kinds);
   const std::vector<Face> faces = std::exchange(sound.mesh.faces, {});
   sound.mesh.faces.reserve(faces.size());

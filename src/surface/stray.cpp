@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
 #include <utility>
 
+#include "isomatch/surface.h"
 #include "isomatch/topology.h"
 #include "point_tree.h"
 
@@ -39,14 +41,15 @@ Bulk bulk_of(const std::vector<Point>& points) {
   return bulk;
 }
 
-std::vector<Point> used_points(const Mesh& mesh, const std::vector<VertexKind>& kinds) {
+/// The vertices that faces use and that are finite.
+std::vector<int> used_vertices(const Mesh& mesh) {
   std::vector<bool> used(mesh.vertices.size(), false);
   for (const Face& face : mesh.faces)
-    for (int v : face) used[v] = kinds[v] == VertexKind::kSound;
-  std::vector<Point> points;
+    for (int v : face) used[v] = mesh.vertices[v].allFinite();
+  std::vector<int> vertices;
   for (int v = 0; v < mesh.num_vertices(); ++v)
-    if (used[v]) points.push_back(mesh.vertices[v]);
-  return points;
+    if (used[v]) vertices.push_back(v);
+  return vertices;
 }
 
 /// Calls `visit(v, u)` for both directions of all edges.
@@ -117,17 +120,33 @@ std::vector<VertexKind> vertex_kinds(const Mesh& mesh) {
   std::vector<VertexKind> kinds(mesh.vertices.size(), VertexKind::kSound);
   for (int v = 0; v < mesh.num_vertices(); ++v)
     if (!mesh.vertices[v].allFinite()) kinds[v] = VertexKind::kNotFinite;
-  const Bulk bulk = bulk_of(used_points(mesh, kinds));
+  const std::vector<int> used = used_vertices(mesh);
+  std::vector<Point> points;
+  for (int v : used) points.push_back(mesh.vertices[v]);
+  const Bulk bulk = bulk_of(points);
   if (bulk.radius == 0) return kinds;
   bool any = false;
-  for (int v = 0; v < mesh.num_vertices(); ++v) {
-    if (kinds[v] == VertexKind::kNotFinite) continue;
+  for (int v : used) {
     if ((mesh.vertices[v] - bulk.middle).norm() < kFar * bulk.radius) continue;
     kinds[v] = VertexKind::kStray;
     any = true;
   }
   if (any) keep_coarse_parts(mesh, kLong * bulk.radius, kinds);
   return kinds;
+}
+
+std::vector<int> stand_ins(const Mesh& mesh) {
+  const std::vector<VertexKind> kinds = vertex_kinds(mesh);
+  const auto sound = std::ranges::find(kinds, VertexKind::kSound);
+  std::vector<int> result(mesh.vertices.size());
+  std::iota(result.begin(), result.end(), 0);
+  if (sound == kinds.end()) return result;
+  for (std::size_t v = 0; v < result.size(); ++v)
+    if (kinds[v] != VertexKind::kSound) result[v] = static_cast<int>(sound - kinds.begin());
+  for_each_half_edge(mesh, [&](int v, int u) {
+    if (kinds[v] != VertexKind::kSound && kinds[u] == VertexKind::kSound) result[v] = u;
+  });
+  return result;
 }
 
 int count_near_seam_vertices(const Mesh& mesh) {

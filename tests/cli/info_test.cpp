@@ -86,7 +86,8 @@ TEST_F(Info, NamesFilePlaceAndReason) {
   EXPECT_THAT(rejection("short.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n"), HasSubstr("line"));
   EXPECT_THAT(rejection("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
               HasSubstr("line 6"));
-  EXPECT_THAT(rejection("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("line 2"));
+  EXPECT_THAT(rejection("large.obj", "v 0 0 0\nv 1 1e200 0\nv 0 1 0\nf 1 2 3\n"),
+              HasSubstr("vertex 1"));
   EXPECT_THAT(rejection("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), HasSubstr("face"));
   rejection("mesh.xyz", "0 0 0\n");
   rejection("mesh.ply", "ply\nformat ascii 1.0\nend_header\n");

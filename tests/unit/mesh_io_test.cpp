@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -59,6 +61,22 @@ Mesh wild_mesh() {
 
 bool same_bits(const std::vector<Point>& a, const std::vector<Point>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Point)) == 0;
+}
+
+TEST(MeshIo, CoordinatesThatAreNoNumbersAreKept) {
+  const TemporaryFolder folder;
+  Mesh mesh = tetrahedron();
+  mesh.vertices[1].y() = std::numeric_limits<double>::quiet_NaN();
+  mesh.vertices[2].z() = -std::numeric_limits<double>::infinity();
+  for (const char* name : {"a.off", "a.obj", "a.ply", "a.mat"}) {
+    write_mesh(folder.path(name), mesh);
+    const Mesh copy = read_mesh(folder.path(name));
+    EXPECT_EQ(copy.num_faces(), mesh.num_faces()) << name;
+    const auto is_infinite = [](const Point& p) { return std::isinf(p.z()); };
+    const auto is_no_number = [](const Point& p) { return std::isnan(p.y()); };
+    EXPECT_TRUE(std::ranges::any_of(copy.vertices, is_infinite)) << name;
+    EXPECT_TRUE(std::ranges::any_of(copy.vertices, is_no_number)) << name;
+  }
 }
 
 TEST(MeshIo, RoundTripsAreExact) {

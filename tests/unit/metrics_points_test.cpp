@@ -165,10 +165,11 @@ TEST(PointErrors, AreGreatCirclesOnASphere) {
   for (int i = 0; i < 50; ++i) {
     const SurfacePoint point{random.index(mesh.num_faces()), {0.5, 0.3, 0.2}};
     const int truth = random.index(mesh.num_vertices());
-    const double angle = std::acos(mesh.vertices[truth].dot(position(mesh, point).normalized()));
+    const double angle =
+        std::acos(mesh.vertices[truth].normalized().dot(position(mesh, point).normalized()));
     const double error = point_errors(sphere, {{0}, {truth}}, {point}).mean;
     // The visibility graph's .2 % on average, .6 % at worst on this mesh.
-    EXPECT_NEAR(error * std::sqrt(sphere.surface.area), angle, 0.01 * angle);
+    EXPECT_NEAR(error * sphere.unit * std::sqrt(sphere.surface.area), angle, 0.01 * angle);
   }
 }
 

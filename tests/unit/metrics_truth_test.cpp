@@ -166,7 +166,7 @@ TEST(TruthErrors, TurnOfCylinderHasLengthOfArc) {
   std::vector<int> all(cylinder.num_vertices());
   std::iota(all.begin(), all.end(), 0);
   const ErrorStatistics errors = template_errors(cylinder, {all, all}, matches);
-  const double arc = kTurn * 2 * std::sin(M_PI / kSegments);
+  const double arc = kTurn * 2 * std::sin(M_PI / kSegments) / cylinder.unit;
   EXPECT_NEAR(errors.mean, arc / std::sqrt(cylinder.surface.area), kRounding);
   EXPECT_NEAR(errors.maximum, arc / std::sqrt(cylinder.surface.area), kRounding);
 }

@@ -244,7 +244,7 @@ TEST_F(PaperPoses, AreMatchedToWithinAnEdgeUpToTheFlip) {
     from.x() = -from.x();
     flipped += (from - to).norm() / static_cast<double>(matches.size());
   }
-  EXPECT_LT(std::min(direct, flipped), source_->graph.mean_edge_length());
+  EXPECT_LT(std::min(direct, flipped), source_->unit * source_->graph.mean_edge_length());
 }
 
 bool equal(const PaperLevel& a, const PaperLevel& b) {

@@ -83,14 +83,14 @@ TEST(IntegralGeodesicDistance, FollowsAParabolaAlongALongTube) {
   const Mesh tube = test::closed_cylinder(16, 80, 1, kHeight);
   const Shape shape = prepare_shape(tube);
   const std::vector<double> integral = integral_geodesic_distance(shape);
+  const auto height = [&](int v) { return shape.unit * shape.surface.mesh.vertices[v].z(); };
   for (int v = 0; v < shape.num_vertices(); ++v) {
     // On a segment of length 1, the integral of |x - y| over y. A girth of pi and caps of radius 1
     // change distances by up to that over the length of about 21, most of them by much less.
-    const double x = shape.surface.mesh.vertices[v].z() / kHeight;
+    const double x = height(v) / kHeight;
     EXPECT_NEAR(integral[v], (x * x + (1 - x) * (1 - x)) / 2, 0.06);
   }
   const std::vector<int> order = descending_order(integral);
-  const auto height = [&](int v) { return shape.surface.mesh.vertices[v].z(); };
   for (int rank = 0; rank < 10; ++rank)
     EXPECT_GT(std::abs(height(order[rank]) - kHeight / 2), 0.95 * kHeight / 2);
   EXPECT_LT(std::abs(height(order.back()) - kHeight / 2), 0.1 * kHeight / 2);
@@ -155,7 +155,7 @@ TEST(GaussianCurvature, SitsInTheCornersOfABox) {
   const std::vector<double> smooth = gaussian_curvature(shape),
                             raw = gaussian_curvature(shape, kRaw);
   const auto is_corner = [&](int v) {
-    const Point& p = shape.surface.mesh.vertices[v];
+    const Point p = shape.unit * shape.surface.mesh.vertices[v];
     return (p.array() * (1 - p.array())).abs().maxCoeff() < 1e-9;
   };
   const std::vector<int> order = descending_order(smooth);

@@ -123,7 +123,8 @@ TEST(SampleBases, SpreadsOverTheSurfaceEvenly) {
 TEST(SampleBases, StartsFromTheInheritedBasesAndFollowsTheOrder) {
   const MeasuredShape measured(test::rough_sphere(3, 0.1, 4), 4);
   const std::vector<int> inherited{measured.order.back(), measured.order[100]};
-  const BaseSampling sampling = sample_bases(measured.shape, measured.order, inherited, 0.3f);
+  const auto radius = static_cast<float>(0.3 / measured.shape.unit);
+  const BaseSampling sampling = sample_bases(measured.shape, measured.order, inherited, radius);
   ASSERT_GT(sampling.bases.size(), 10);
   EXPECT_TRUE(std::equal(inherited.begin(), inherited.end(), sampling.bases.begin()));
   const auto rank = [&](int v) { return std::ranges::find(measured.order, v); };

@@ -73,7 +73,8 @@ TEST_F(TrackedPair, MirrorImageIsFoundIfReflectionIsAllowed) {
   EXPECT_TRUE(result.maps.front().mirrored);
   const std::vector<Point> points =
       test::input_places(source_, image, result.maps.front().source_to_target);
-  EXPECT_LT(test::mean_distance(points, test::mirrored(pair_.source).vertices), 1e-3);
+  const Mesh expected = test::scaled(test::mirrored(pair_.source), 1 / image.unit);
+  EXPECT_LT(test::mean_distance(points, expected.vertices), 1e-3);
   EXPECT_FALSE(match_tracked(source_.surface, target_.surface, options).maps.front().mirrored);
 }
 

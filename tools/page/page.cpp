@@ -83,7 +83,8 @@ void write_page(const std::string& path, const std::string& folder, const MeshPl
   const bool is_own = is_own_page(path, folder);
   // The page shows the report as it will be.
   if (is_own) result.report = with_file(std::move(result.report), kPage);
-  const std::string page = filled_page(page_template(), page_data(result, options, context));
+  const std::string page =
+      filled_page(page_template(), page_data(std::move(result), options, context));
   AtomicFile file(path);
   file.write(page);
   file.commit();

@@ -191,10 +191,11 @@ void add_results(Packing& packing, const MatchResult& result,
 
 }  // namespace
 
-PageData page_data(const MatchResult& result, const PageOptions& options, const Context& context) {
+PageData page_data(MatchResult result, const PageOptions& options, const Context& context) {
   const std::vector<ResultLevel> levels = load_levels(result);
   const std::vector<MapMeasures> measures = measure_maps(result, levels, options.truth, context);
   context.report(0.9, "writing");
+  make_drawable(result);
   const PairView view = choose_pair_view(result, result.maps.front(), options.view);
   ArrayPacker packer;
   Packing packing(result, packer);

@@ -33,6 +33,6 @@ struct PageData {
 /// - for level K of the paper's method: levels/K/source, levels/K/target, levels/K/d_iso.
 /// Coordinates and distances are 16-bit steps; the manifest has the steps' `low` and `size`.
 /// Distances keep 65535 for what was not measured.
-PageData page_data(const MatchResult& result, const PageOptions& options, const Context& context);
+PageData page_data(MatchResult result, const PageOptions& options, const Context& context);
 
 }  // namespace isomatch::cli

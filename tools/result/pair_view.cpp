@@ -4,6 +4,7 @@
 
 #include "isomatch/error.h"
 #include "isomatch/map_io.h"
+#include "isomatch/surface.h"
 #include "picture/view.h"
 
 namespace isomatch::cli {
@@ -29,6 +30,16 @@ Eigen::Matrix3d source_to_target_rotation(const MatchResult& result, const Resul
 }
 
 }  // namespace
+
+void make_drawable(MatchResult& result) {
+  const auto replace = [](const std::vector<int>& places, std::vector<Point>& points) {
+    for (std::size_t v = 0; v < points.size(); ++v) points[v] = points[places[v]];
+  };
+  const std::vector<int> places = stand_ins(result.source);
+  for (ResultMap& map : result.maps) replace(places, map.registered);
+  replace(places, result.source.vertices);
+  replace(stand_ins(result.target), result.target.vertices);
+}
 
 PairView choose_pair_view(const MatchResult& result, const ResultMap& map,
                           const ViewOptions& options) {

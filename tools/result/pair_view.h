@@ -24,6 +24,10 @@ struct ViewOptions {
 
 /// The source as `choose_view` shows it, and the target turned as the map says, so that matching
 /// parts show. Throws `InvalidInput` if an option is out of range.
+/// Lets vertices that are not finite or stray, which would make everything else a dot, lie where
+/// others are.
+void make_drawable(MatchResult& result);
+
 PairView choose_pair_view(const MatchResult& result, const ResultMap& map,
                           const ViewOptions& options = {});
 

@@ -123,9 +123,6 @@ TEST(Mat, BadShapesAreRefused) {
     corners[5] = bad;
     EXPECT_THAT(error(points + triangles(corners)), HasSubstr("is out of range"));
   }
-  auto coordinates = kCoordinates;
-  coordinates[3] = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(error(kMat.matrix("VERT", 4, 3, coordinates) + triangles()), HasSubstr("not finite"));
   EXPECT_THAT(error(kMat.matrix("VERT", 6, 2, kCoordinates) + triangles()),
               HasSubstr("three columns"));
   EXPECT_THAT(error(kMat.matrix("X", 4, 1, {1, 2, 3, 4}) + kMat.matrix("Y", 3, 1, {1, 2, 3}) +

@@ -140,8 +140,6 @@ TEST(ReadOff, NamesBadVertices) {
   EXPECT_EQ(error("1,0 2 3"), "line 4: expected a number, found '1,0'");
   EXPECT_EQ(error("1 +-2 3"), "line 4: expected a number, found '+-2'");
   EXPECT_EQ(error("1 0x1p3 3"), "line 4: expected a number, found '0x1p3'");
-  EXPECT_EQ(error("nan 0 0"), "line 4: expected a finite number, found 'nan'");
-  EXPECT_EQ(error("0 -inf 0"), "line 4: expected a finite number, found '-inf'");
   EXPECT_EQ(error("0 0 1e999"), "line 4: expected a number that fits a double, found '1e999'");
   EXPECT_EQ(error("1" + std::string(400, '0') + " 0 0"),
             "line 4: expected a number that fits a double, found '100000000000000000000000...'");
