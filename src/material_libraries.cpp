@@ -31,7 +31,7 @@ std::vector<std::string_view> split(std::string_view text) {
 
 /// The text from the first word to the last one, which are parts of the same text.
 std::string joined(std::string_view first, std::string_view last) {
-  return {first.data(), last.data() + last.size()};
+  return {first.begin(), last.end()};
 }
 
 bool ends_with_mtl(std::string_view word) {

@@ -3,6 +3,7 @@
 #include "page/page.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"

@@ -52,9 +52,8 @@ const ImageOption* find_option(std::string_view word) {
 
 bool is_number(std::string_view word) {
   double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [last, error] = std::from_chars(word.data(), end, value);
-  return error == std::errc() && last == end;
+  const auto [last, error] = std::from_chars(word.begin(), word.end(), value);
+  return error == std::errc() && last == word.end();
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -134,11 +133,12 @@ std::optional<ImageLine> image_line(const std::string& line, const std::string& 
   if (!names_image(keyword_of(line))) return std::nullopt;
   const Words words = words_of(line);
   const std::vector<std::size_t> starts = possible_starts(words);
-  const char* const line_end = line.data() + line.size();
+  const std::string_view whole = line;
   const auto parts = [&](std::string_view name, std::string path) {
-    const char* const name_end = name.data() + name.size();
-    return ImageLine{
-        {line.data(), name.data()}, std::string(name), {name_end, line_end}, std::move(path)};
+    return ImageLine{{whole.begin(), name.begin()},
+                     std::string(name),
+                     {name.end(), whole.end()},
+                     std::move(path)};
   };
   std::string path;
   const auto is_file = [&](std::string_view name) {
@@ -149,7 +149,7 @@ std::optional<ImageLine> image_line(const std::string& line, const std::string& 
     if (start < words.size())
       if (const auto name = find_end(words, start, is_file)) return parts(*name, path);
   if (starts.back() == words.size()) return std::nullopt;
-  return parts({words[starts.back()].data(), words.back().data() + words.back().size()}, "");
+  return parts({words[starts.back()].begin(), words.back().end()}, "");
 }
 
 }  // namespace isomatch::cli
