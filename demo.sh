@@ -11,7 +11,7 @@ isomatch=build/release/tools/isomatch
 
 scripts/install_packages.sh build
 scripts/build_viewer.sh || echo "No viewer: there will be a picture, but no report." >&2
-scripts/build.sh release
+scripts/build.sh release isomatch_program
 mkdir -p "$folder"
 
 "$isomatch" synth --shape creature --vertices "$vertices" --pose 1 --seed 2 -o "$folder/source.off"

@@ -25,7 +25,13 @@ struct Track {
 
   /// How badly the surfaces fit, to be compared on one level. The energy of the fine registration
   /// is large where a map is torn, the distance where it leaves bulges of the target uncovered.
-  double cost() const { return registration.energy * registration.distance; }
+  /// A mirror image has to fit clearly better, since shapes that are nearly symmetric fit their own
+  /// as well as themselves.
+  double cost() const {
+    constexpr double kMirrorPrice = 1.1;
+    return (judged.source->mirrored ? kMirrorPrice : 1) * registration.energy *
+           registration.distance;
+  }
 };
 
 /// Carries hypotheses on to maps onto one target. Spectral steps know distances along the surface,

@@ -38,7 +38,7 @@ class Bench : public testing::Test {
   Outcome run_bench(const std::vector<std::string>& more) const {
     std::vector<std::string> all{path("source.off"), path("target.off")};
     all.insert(all.end(), more.begin(), more.end());
-    return run(all, {.program = ISOMATCH_BENCH_PROGRAM});
+    return run(all, {.program = bench_program()});
   }
 
   nlohmann::json report(const std::vector<std::string>& more) const {
@@ -130,8 +130,7 @@ TEST_F(Bench, UnknownMethodIsNamed) {
 
 TEST_F(Bench, BadFilesAreNamed) {
   folder_.write("bad.off", "OFF\n1\n");
-  const Outcome mesh =
-      run({path("bad.off"), path("target.off")}, {.program = ISOMATCH_BENCH_PROGRAM});
+  const Outcome mesh = run({path("bad.off"), path("target.off")}, {.program = bench_program()});
   EXPECT_EQ(mesh.exit_code, 2);
   EXPECT_THAT(mesh.errors, StartsWith("isomatch-bench: " + path("bad.off") + ": "));
   folder_.write("target.vts", "0\n");
@@ -152,7 +151,7 @@ TEST_F(Bench, OutputIsCheckedBeforeTheWork) {
 TEST_F(Bench, Interrupted) {
   const Outcome outcome =
       run({path("source.off"), path("target.off"), "--methods", "gmds,gmds,gmds,gmds,gmds"},
-          {.program = ISOMATCH_BENCH_PROGRAM, .interrupt_after = std::chrono::milliseconds(300)});
+          {.program = bench_program(), .interrupt_after = std::chrono::milliseconds(300)});
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.errors, "isomatch-bench: interrupted\n");
 }

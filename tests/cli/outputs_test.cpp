@@ -227,7 +227,7 @@ TEST_F(Outputs, PlacesBelowAFileAreRefusedBeforeAnyWork) {
 Outcome run_bound(std::vector<std::string> arguments) {
   if (geteuid() != 0) return run(arguments);
   arguments.insert(arguments.begin(),
-                   {"--reuid=65534", "--regid=65534", "--clear-groups", ISOMATCH_PROGRAM});
+                   {"--reuid=65534", "--regid=65534", "--clear-groups", isomatch_program()});
   return run(arguments, {.program = "/usr/bin/setpriv"});
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "programs.h"
+
 namespace isomatch::test {
 
 /// How a run of the program ended.
@@ -18,7 +20,7 @@ struct Outcome {
 
 struct RunOptions {
   /// The file to run.
-  std::string program = ISOMATCH_PROGRAM;
+  std::string program = isomatch_program();
   /// Standard error is a terminal instead of a pipe.
   bool terminal = false;
   /// Send SIGINT this long after the start.

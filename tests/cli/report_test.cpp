@@ -118,13 +118,13 @@ TEST_F(Report, OptionsOfThePageNeedIt) {
 
 TEST_F(Report, AProgramBuiltWithoutThePageSaysWhatIsMissing) {
   std::vector<std::string> match = arguments("out", {"--report"});
-  const Outcome refused = run(match, {.program = ISOMATCH_PROGRAM_WITHOUT_PAGE});
+  const Outcome refused = run(match, {.program = program_without_page()});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, HasSubstr("install Node.js and npm, run scripts/build_viewer.sh"));
   EXPECT_FALSE(fs::exists(path("out"))) << "refused before the work";
   match.pop_back();
-  ASSERT_EQ(run(match, {.program = ISOMATCH_PROGRAM_WITHOUT_PAGE}).exit_code, 0);
-  const Outcome report = run({"report", path("out")}, {.program = ISOMATCH_PROGRAM_WITHOUT_PAGE});
+  ASSERT_EQ(run(match, {.program = program_without_page()}).exit_code, 0);
+  const Outcome report = run({"report", path("out")}, {.program = program_without_page()});
   EXPECT_EQ(report.exit_code, 2);
   EXPECT_THAT(report.errors, HasSubstr("built without the report's page"));
 }

@@ -9,6 +9,7 @@
 #include "isomatch/map_io.h"
 #include "isomatch/mesh_io.h"
 #include "isomatch/metrics.h"
+#include "support/data.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
@@ -125,7 +126,7 @@ std::ostream& operator<<(std::ostream& out, const ShapePair& pair) {
 /// A known map between two meshes of an animal or a person, and the same flipped left to right.
 class RealMapOrientation : public testing::TestWithParam<ShapePair> {
  protected:
-  static std::string data(const std::string& path) { return ISOMATCH_TEST_DATA "/" + path; }
+  static std::string data(const std::string& path) { return test::data_path(path); }
 
   void SetUp() override {
     if (!std::filesystem::exists(data(GetParam().set)))

@@ -21,6 +21,7 @@
 #include "isomatch/mesh_io.h"
 #include "isomatch/synth.h"
 #include "support/context.h"
+#include "support/data.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
@@ -357,7 +358,7 @@ class PaperData : public testing::TestWithParam<std::string> {
     if (!std::filesystem::exists(path_)) GTEST_SKIP() << path_ << " is absent";
   }
 
-  const std::string path_ = ISOMATCH_TEST_DATA "/tosca5k/" + GetParam() + ".off";
+  const std::string path_ = test::data_path("tosca5k/" + GetParam() + ".off");
 };
 
 TEST_P(PaperData, IsMatchedToItself) { expect_identity(read_mesh(path_)); }

@@ -16,6 +16,7 @@
 #include "isomatch/map_io.h"
 #include "isomatch/mesh_io.h"
 #include "support/context.h"
+#include "support/data.h"
 #include "support/mesh_files.h"
 #include "support/random.h"
 #include "support/shapes.h"
@@ -176,7 +177,7 @@ struct RealPair {
 class TrackedData : public testing::TestWithParam<RealPair> {};
 
 TEST_P(TrackedData, IsMatchedWithoutAFlip) {
-  const std::string folder = ISOMATCH_TEST_DATA "/" + GetParam().folder + "/";
+  const std::string folder = test::data_path(GetParam().folder + "/");
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
   test::TruePair pair{read_mesh(folder + GetParam().source + ".off"),
                       read_mesh(folder + GetParam().target + ".off"),
