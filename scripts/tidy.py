@@ -2,8 +2,7 @@
 """Runs clang-tidy on the project's sources that changed since it last passed.
 
 Most of clang-tidy's time goes into the headers of Eigen and of the standard library, so several
-sources of the same target are checked as one; precompiled headers are left out, so that a missing
-include is found. What passed is remembered under ~/.cache by its content: that of the source, of
+sources of the same target are checked as one. What passed is remembered under ~/.cache by its content: that of the source, of
 the project's headers that it includes, of the flags, of .clang-tidy and of the installed packages.
 
 Usage: scripts/tidy.py BUILD_FOLDER

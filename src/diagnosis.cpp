@@ -43,7 +43,8 @@ int count_duplicate_vertices(const SoundMesh& sound) {
   const std::vector<Point>& points = sound.mesh.vertices;
   int duplicates = 0;
   for (std::size_t v = 1; v < points.size(); ++v) duplicates += points[v] == points[v - 1];
-  return duplicates;
+  // Those that are not finite lie in one place there.
+  return duplicates - std::max(0, sound.not_finite_vertices - 1);
 }
 
 void measure_edges(const Mesh& mesh, MeshDiagnosis& diagnosis) {

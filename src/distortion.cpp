@@ -22,14 +22,19 @@ std::vector<std::span<const float>> FieldStore::fields(std::span<const int> sour
     if (is_new) missing.emplace_back(source, &entry->second.field);
   }
   const float scale = static_cast<float>(1 / shape_->max_geodesic);
-  parallel_for(
-      std::ssize(missing), context, [&] { return GeodesicSearch(shape_->graph); },
-      [&](GeodesicSearch& search, std::ptrdiff_t i) {
-        std::vector<float>& field = *missing[i].second;
-        field.resize(shape_->num_vertices());
-        search.field(missing[i].first, field);
-        for (float& distance : field) distance *= scale;
-      });
+  const auto measure = [&](GeodesicSearch& search, std::ptrdiff_t i) {
+    std::vector<float>& field = *missing[i].second;
+    field.resize(shape_->num_vertices());
+    search.field(missing[i].first, field);
+    for (float& distance : field) distance *= scale;
+  };
+  try {
+    parallel_for(
+        std::ssize(missing), context, [&] { return GeodesicSearch(shape_->graph); }, measure);
+  } catch (...) {
+    for (const auto& [source, field] : missing) entries_.erase(source);
+    throw;
+  }
   forget_least_used();
   std::vector<std::span<const float>> result;
   for (int source : sources) result.push_back(entries_.find(source)->second.field);

@@ -48,10 +48,11 @@ void parallel_for(std::ptrdiff_t count, const Context& context, const Make& make
                   const Body& body) {
   // Pieces small enough to share out evenly and to see a stop soon, large enough to cost nothing.
   constexpr std::ptrdiff_t kPiecesAThread = 16, kLargestPiece = 1024;
+  const int most = std::max(1, context.threads);
   const std::ptrdiff_t size =
-      std::clamp<std::ptrdiff_t>(count / (kPiecesAThread * context.threads), 1, kLargestPiece);
+      std::clamp<std::ptrdiff_t>(count / (kPiecesAThread * most), 1, kLargestPiece);
   const std::ptrdiff_t pieces = (count + size - 1) / size;
-  const int threads = static_cast<int>(std::clamp<std::ptrdiff_t>(pieces, 1, context.threads));
+  const int threads = static_cast<int>(std::clamp<std::ptrdiff_t>(pieces, 1, most));
   FirstFailure failure;
 #pragma omp parallel num_threads(threads) if (threads > 1)
   {

@@ -55,11 +55,18 @@ struct Painted {
   picture::TexturePaint paint;
 };
 
+/// Equal, also where coordinates are not numbers.
+bool is_same_place(const Point& a, const Point& b) {
+  return ((a.array() == b.array()) || (a.array().isNaN() && b.array().isNaN())).all();
+}
+
 Painted load_painted(const std::string& path, const Mesh& matched) {
   TexturedMesh textured = load_textured_mesh(path);
-  const auto same = std::ranges::mismatch(matched.vertices, textured.mesh.vertices).in1;
+  const auto same =
+      std::ranges::mismatch(matched.vertices, textured.mesh.vertices, is_same_place).in1;
   if (same != matched.vertices.end())
     throw BadFile(path, "does not begin with the vertices of the mesh that was matched");
+  make_drawable(textured.mesh);
   Painted painted{std::move(textured.mesh), {std::move(textured.texture), {}}};
   for (const std::string& image : material_images(path, painted.paint.texture.materials))
     painted.paint.images.push_back(image.empty() ? picture::Image{} : picture::read_image(image));
@@ -85,11 +92,12 @@ picture::Image draw_map(const MatchResult& result, const ResultMap& map, const P
 
 void run_render(const RenderArguments& arguments) {
   check_render(arguments);
-  MatchResult result = load_result(arguments.folder, arguments.places);
-  if (arguments.textures.empty()) make_drawable(result);
-  const ResultMap& map = chosen_map(result, arguments.alternative);
-  const PairView view = choose_pair_view(result, map, arguments.view);
-  write_png(arguments.output, arguments.textures.empty() ? draw_map(result, map, view, arguments)
+  const MatchResult result = load_result(arguments.folder, arguments.places);
+  MatchResult drawn = result;
+  make_drawable(drawn);
+  const ResultMap& map = chosen_map(drawn, arguments.alternative);
+  const PairView view = choose_pair_view(drawn, map, arguments.view);
+  write_png(arguments.output, arguments.textures.empty() ? draw_map(drawn, map, view, arguments)
                                                          : draw_textures(result, view, arguments));
 }
 

@@ -56,7 +56,7 @@ struct MeshReadOptions {
 /// empty, truncated, malformed, or longer than it announces (.ply: a warning), for an index out of
 /// range, and for a mesh without vertices or faces. The message names the line in text formats and
 /// the byte, from 0, in binary ones. What is returned passes `validate`; coordinates may be
-/// infinite or not a number, which is a warning.
+/// infinite or not a number; `MeshDiagnosis` counts these.
 ///
 /// O(N). Numbers do not depend on the locale. Memory stays within a small multiple of the file's
 /// size (of what it unpacks to, where it is compressed), whatever the file announces.

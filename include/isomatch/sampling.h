@@ -17,7 +17,7 @@ struct BaseSampling {
   /// S(k) in the order of selection: S(k-1) comes first, so that an index into this list means the
   /// same base vertex at all later levels.
   std::vector<int> bases;
-  /// Area of the largest patch, in squared units of the coordinates.
+  /// Area of the largest patch, in squared units of the shape.
   double largest_patch_area = 0;
 };
 

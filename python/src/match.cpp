@@ -16,12 +16,9 @@ cli::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files) 
   files.insert(files.end(), saved.arrays.begin(), saved.arrays.end());
   if (saved.page) files.emplace_back(cli::kPage);
   cli::ResultPlan plan{saved.folder, std::move(files), {}, saved.arrays};
-  const std::filesystem::path folder = saved.folder;
-  for (const std::string& mesh : {saved.source, saved.target}) {
-    const bool is_array = std::ranges::any_of(
-        saved.arrays, [&](const std::string& name) { return (folder / name).string() == mesh; });
-    if (!is_array) plan.inputs.add(mesh);
-  }
+  for (const auto& [mesh, array] :
+       {std::pair(saved.source, "source.ply"), {saved.target, "target.ply"}})
+    if (std::ranges::count(saved.arrays, array) == 0) plan.inputs.add(mesh);
   return plan;
 }
 

@@ -14,7 +14,7 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-py::array_t<int> sample(const PreparedMesh& input, float radius, const py::array& order,
+py::array_t<int> sample(const PreparedMesh& input, double radius, const py::array& order,
                         const RunOptions& how) {
   const Surface& surface = input.surface();
   const std::vector<int> first = surface_numbers(surface, to_integers(order, "order"), "order");

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -44,12 +45,17 @@ class PointIndex {
     return result;
   }
 
+  /// Equal or, so that what is not a number is found again, of the same bits.
+  static bool is_same(const Point& a, const Point& b) {
+    return a == b || std::memcmp(a.data(), b.data(), sizeof(Point)) == 0;
+  }
+
   /// The slot that holds `point`, or the free one where it belongs. The number of slots is a power
   /// of two.
   std::size_t find_slot(const Point& point) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = hash(point) & mask;
-    while (slots_[at] != kFree && points_[slots_[at]] != point) at = (at + 1) & mask;
+    while (slots_[at] != kFree && !is_same(points_[slots_[at]], point)) at = (at + 1) & mask;
     return at;
   }
 

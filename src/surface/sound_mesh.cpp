@@ -54,10 +54,13 @@ double sound_area(const Mesh& mesh, const Face& face) {
 
 void check_range(const Mesh& mesh) {
   constexpr double kLargest = 1e100;  // Areas and their sums are finite.
-  for (int v = 0; v < mesh.num_vertices(); ++v) {
-    if (mesh.vertices[v].allFinite() && mesh.vertices[v].cwiseAbs().maxCoeff() > kLargest)
-      throw InvalidInput(fmt::format(
-          "vertex {} has a coordinate beyond {:g}, of which areas are not finite", v, kLargest));
+  for (const Face& face : mesh.faces) {
+    for (int v : face) {
+      const Point& p = mesh.vertices[v];
+      if (p.allFinite() && p.cwiseAbs().maxCoeff() > kLargest)
+        throw InvalidInput(fmt::format(
+            "vertex {} has a coordinate beyond {:g}, of which areas are not finite", v, kLargest));
+    }
   }
 }
 

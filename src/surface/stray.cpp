@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "disjoint_sets.h"
 #include "isomatch/surface.h"
 #include "isomatch/topology.h"
 #include "point_tree.h"
@@ -66,15 +67,16 @@ void for_each_half_edge(const Mesh& mesh, const Visit& visit) {
 /// Makes vertices sound again that short edges join to sound ones: they are no spike but a coarsely
 /// meshed part.
 void keep_coarse_parts(const Mesh& mesh, double long_edge, std::vector<VertexKind>& kinds) {
-  for (bool changed = true; changed;) {
-    changed = false;
-    for_each_half_edge(mesh, [&](int v, int u) {
-      if (kinds[v] != VertexKind::kStray || kinds[u] != VertexKind::kSound) return;
-      if ((mesh.vertices[v] - mesh.vertices[u]).norm() >= long_edge) return;
-      kinds[v] = VertexKind::kSound;
-      changed = true;
-    });
-  }
+  DisjointSets parts(mesh.num_vertices());
+  for_each_half_edge(mesh, [&](int v, int u) {
+    if (kinds[v] != VertexKind::kStray || kinds[u] == VertexKind::kNotFinite) return;
+    if ((mesh.vertices[v] - mesh.vertices[u]).norm() < long_edge) parts.join(v, u);
+  });
+  std::vector<bool> has_sound(mesh.vertices.size(), false);
+  for (int v = 0; v < mesh.num_vertices(); ++v)
+    if (kinds[v] == VertexKind::kSound) has_sound[parts.find(v)] = true;
+  for (int v = 0; v < mesh.num_vertices(); ++v)
+    if (kinds[v] == VertexKind::kStray && has_sound[parts.find(v)]) kinds[v] = VertexKind::kSound;
 }
 
 /// Vertices on open borders.

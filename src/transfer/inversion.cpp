@@ -167,13 +167,18 @@ SurfaceMap invert_map(const Mesh& source, const Mesh& target, const SurfaceMap& 
                       const InversionOptions& options, const Context& context) {
   options.validate();
   transfer::check_map(source.num_vertices(), target, source_to_target);
-  const double unit = std::sqrt(surface_area(target));
-  const Images images(source, target, source_to_target, options.normal_weight * unit);
+  // Of vertices that are not finite or stray nothing is asked, and they spoil no other's normal.
+  const std::vector<int> places = stand_ins(target);
+  Mesh sound = target;
+  for (std::size_t t = 0; t < places.size(); ++t) sound.vertices[t] = target.vertices[places[t]];
+  const double unit = std::sqrt(surface_area(sound));
+  const Images images(source, sound, source_to_target, options.normal_weight * unit);
   SurfaceMap result(target.vertices.size());
   if (images.empty()) return result;
   parallel_for(target.num_vertices(), context, [&](std::ptrdiff_t i) {
     const int t = static_cast<int>(i);
-    result[t] = images.nearest(images.coordinates(target, t), options.max_distance * unit);
+    if (places[t] == t)
+      result[t] = images.nearest(images.coordinates(sound, t), options.max_distance * unit);
   });
   return result;
 }

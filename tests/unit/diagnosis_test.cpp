@@ -172,6 +172,7 @@ TEST(Diagnosis, VerticesThatAreNoNumbersAreUnmatchedAndNotRefused) {
   mesh.vertices[300].x() = std::numeric_limits<double>::infinity();
   const Inspection inspection = inspect(mesh);
   EXPECT_EQ(inspection.diagnosis.not_finite_vertices, 2);
+  EXPECT_EQ(inspection.diagnosis.duplicate_vertices, 0);
   EXPECT_EQ(inspection.diagnosis.stray_vertices, 0);
   EXPECT_EQ(inspection.surface->surface_vertex[7], kNoVertex);
   EXPECT_EQ(inspection.surface->surface_vertex[300], kNoVertex);

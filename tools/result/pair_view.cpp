@@ -29,16 +29,20 @@ Eigen::Matrix3d source_to_target_rotation(const MatchResult& result, const Resul
   return picture::best_rotation(from, to);
 }
 
+/// Puts each of `points` where the one that stands for it is.
+void replace(const std::vector<int>& places, std::vector<Point>& points) {
+  for (std::size_t v = 0; v < points.size(); ++v) points[v] = points[places[v]];
+}
+
 }  // namespace
 
+void make_drawable(Mesh& mesh) { replace(stand_ins(mesh), mesh.vertices); }
+
 void make_drawable(MatchResult& result) {
-  const auto replace = [](const std::vector<int>& places, std::vector<Point>& points) {
-    for (std::size_t v = 0; v < points.size(); ++v) points[v] = points[places[v]];
-  };
   const std::vector<int> places = stand_ins(result.source);
   for (ResultMap& map : result.maps) replace(places, map.registered);
-  replace(places, result.source.vertices);
-  replace(stand_ins(result.target), result.target.vertices);
+  make_drawable(result.source);
+  make_drawable(result.target);
 }
 
 PairView choose_pair_view(const MatchResult& result, const ResultMap& map,

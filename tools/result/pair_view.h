@@ -24,6 +24,9 @@ struct ViewOptions {
 
 /// The source as `choose_view` shows it, and the target turned as the map says, so that matching
 /// parts show. Throws `InvalidInput` if an option is out of range.
+/// The same mesh for drawing; see below.
+void make_drawable(Mesh& mesh);
+
 /// Lets vertices that are not finite or stray, which would make everything else a dot, lie where
 /// others are.
 void make_drawable(MatchResult& result);

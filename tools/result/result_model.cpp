@@ -18,10 +18,12 @@ double to_srgb(double linear) {
 
 Model result_model(const MatchResult& result, const ResultMap& map) {
   Model model = read_model(result.source_path);
-  const PairView view = choose_pair_view(result, map);
-  const picture::PositionColors color(view.target, result.target.vertices);
+  MatchResult drawn = result;
+  make_drawable(drawn);
+  const PairView view = choose_pair_view(drawn, map);
+  const picture::PositionColors color(view.target, drawn.target.vertices);
   model.colors.clear();
-  for (const picture::Color& linear : source_colors(result, map, color))
+  for (const picture::Color& linear : source_colors(drawn, map, color))
     model.colors.push_back(linear.cast<double>().unaryExpr(&to_srgb));
   model.poses.clear();
   if (!map.registered.empty()) model.poses.push_back({"registered", map.registered});

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -18,7 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kReports = {kReport, kUnfinished, kTransfer};
+std::vector<const char*> reports_of(Listing listing) {
+  if (listing == Listing::kTransfer) return {kTransfer};
+  return {kReport, kUnfinished};
+}
 
 /// A report of isomatch's; nothing if the file is none.
 std::optional<Json> read_own(const fs::path& path) {
@@ -67,9 +69,9 @@ void check_folders(const fs::path& folder, const fs::path& name) {
 
 }  // namespace
 
-std::vector<std::string> written_files(const std::string& folder) {
+std::vector<std::string> written_files(const std::string& folder, Listing listing) {
   std::vector<std::string> files;
-  for (const char* name : kReports) {
+  for (const char* name : reports_of(listing)) {
     const std::optional<Json> report = read_own(fs::path(folder) / name);
     if (!report) continue;
     files.emplace_back(name);
@@ -82,13 +84,14 @@ std::vector<std::string> written_files(const std::string& folder) {
 }
 
 void check_replaceable(const std::string& folder, const std::vector<std::string>& names,
-                       const InputFiles& inputs) {
-  const std::vector<std::string> written = written_files(folder);
+                       Listing listing, const InputFiles& inputs) {
+  const std::vector<std::string> written = written_files(folder, listing);
   for (const std::string& name : names) {
     const fs::path path = fs::path(folder) / name;
     check_folders(folder, name);
     if (!is_there(path)) continue;
     inputs.refuse(path.string());
+    if (fs::is_symlink(path)) throw BadFile(path.string(), "is a link to another file");
     if (fs::is_directory(path)) throw BadFile(path.string(), "is a folder");
     if (!std::ranges::binary_search(written, fs::path(name).lexically_normal().string()))
       throw BadFile(path.string(),

@@ -20,14 +20,18 @@ inline constexpr const char* kTransfer = "transfer.json";
 /// The page of a result, in its folder.
 inline constexpr const char* kPage = "report.html";
 
+/// Of what a list is: a match and a transfer into the same folder leave each other's files alone.
+enum class Listing { kMatch, kTransfer };
+
 /// The files that isomatch wrote into `folder`, seen from there, as its reports list them, and the
 /// reports themselves. Names that lead out of the folder, straight or by links, are left out.
-std::vector<std::string> written_files(const std::string& folder);
+std::vector<std::string> written_files(const std::string& folder, Listing listing);
 
-/// Throws `BadFile` if one of `names`, seen from `folder`, is a file that isomatch did not write
-/// there or one of `inputs`, or if something else than a file or folder is in its way.
+/// Throws `BadFile` if one of `names`, seen from `folder`, is a file that such a run of isomatch
+/// did not write there, a link, or one of `inputs`, or if something else than a file or folder is
+/// in its way.
 void check_replaceable(const std::string& folder, const std::vector<std::string>& names,
-                       const InputFiles& inputs);
+                       Listing listing, const InputFiles& inputs);
 
 /// Writes `report` with the list of `files` and its own name as `name` into `folder`.
 void write_listing(const std::string& folder, const std::string& name, Json report,

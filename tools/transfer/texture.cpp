@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 /// `path` as seen from the folder of `output`.
 std::string seen_from(const std::string& output, const fs::path& path) {
-  const fs::path folder = fs::absolute(output).parent_path();
+  const fs::path folder = fs::absolute(output).lexically_normal().parent_path();
   return fs::absolute(path).lexically_normal().lexically_relative(folder).generic_string();
 }
 
