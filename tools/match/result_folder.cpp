@@ -27,7 +27,7 @@ void create_folder(const fs::path& path) {
 
 /// What the run may replace or remove: its plan and what earlier runs left.
 std::vector<std::string> touched_files(const ResultPlan& plan) {
-  std::vector<std::string> names = written_files(plan.folder, Listing::kMatch);
+  std::vector<std::string> names = written_files(plan.folder, Listing::kOfMatch);
   names.insert(names.end(), plan.files.begin(), plan.files.end());
   names.insert(names.end(), {kReport, kUnfinished});
   std::ranges::sort(names);
@@ -51,13 +51,13 @@ void check_plan(const ResultPlan& plan) {
   std::vector<std::string> names = touched_files(plan);
   std::erase_if(names,
                 [&](const std::string& name) { return std::ranges::count(plan.ready, name) > 0; });
-  check_replaceable(plan.folder, names, Listing::kMatch, plan.inputs);
+  check_replaceable(plan.folder, names, Listing::kOfMatch, plan.inputs);
 }
 
 ResultFolder::ResultFolder(const ResultPlan& plan) : path_(plan.folder), files_(plan.ready) {
   create_folder(path_);
   check_plan(plan);
-  const std::vector<std::string> earlier = written_files(plan.folder, Listing::kMatch);
+  const std::vector<std::string> earlier = written_files(plan.folder, Listing::kOfMatch);
   // From here on all of these count as written by isomatch, wherever the run ends.
   write_listing(plan.folder, kUnfinished, {{"isomatch", kVersion}}, touched_files(plan));
   for (const std::string& name : earlier)

@@ -73,7 +73,7 @@ void check_page_output(const std::string& path, const std::string& folder, const
   for (const std::string& file : {truth.source, truth.target, truth.symmetric_target})
     inputs.add(file);
   check_output(path, inputs);
-  if (is_own_page(path, folder)) check_replaceable(folder, {kPage}, Listing::kMatch, inputs);
+  if (is_own_page(path, folder)) check_replaceable(folder, {kPage}, Listing::kOfMatch, inputs);
 }
 
 void write_page(const std::string& path, const std::string& folder, const MeshPlaces& places,

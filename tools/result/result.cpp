@@ -85,7 +85,7 @@ std::string MatchResult::path(const std::string& name) const {
 InputFiles result_inputs(const std::string& folder, const MeshPlaces& places) {
   const Json report = read_report((fs::path(folder) / kReport).string());
   InputFiles inputs({(fs::path(folder) / kReport).string()});
-  for (const std::string& name : written_files(folder, Listing::kMatch))
+  for (const std::string& name : written_files(folder, Listing::kOfMatch))
     if (name != kPage) inputs.add((fs::path(folder) / name).string());
   inputs.add(find_mesh(report, "source", places.source));
   inputs.add(find_mesh(report, "target", places.target));

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<const char*> reports_of(Listing listing) {
-  if (listing == Listing::kTransfer) return {kTransfer};
+  if (listing == Listing::kOfTransfer) return {kTransfer};
   return {kReport, kUnfinished};
 }
 

@@ -21,7 +21,7 @@ inline constexpr const char* kTransfer = "transfer.json";
 inline constexpr const char* kPage = "report.html";
 
 /// Of what a list is: a match and a transfer into the same folder leave each other's files alone.
-enum class Listing { kMatch, kTransfer };
+enum class Listing { kOfMatch, kOfTransfer };
 
 /// The files that isomatch wrote into `folder`, seen from there, as its reports list them, and the
 /// reports themselves. Names that lead out of the folder, straight or by links, are left out.

@@ -41,7 +41,7 @@ void create_folder(const std::string& path) {
 /// Creates the folder of frames with the list by which isomatch will know them again.
 void prepare_frames(const TransferArguments& arguments) {
   create_folder(arguments.output);
-  std::vector<std::string> files = written_files(arguments.output, Listing::kTransfer);
+  std::vector<std::string> files = written_files(arguments.output, Listing::kOfTransfer);
   for (const std::string& frame : arguments.poses)
     if (std::ranges::count(files, frame_name(frame)) == 0) files.push_back(frame_name(frame));
   std::ranges::sort(files);

@@ -33,7 +33,7 @@ void check_frames(const TransferArguments& arguments, const InputFiles& inputs) 
     throw BadFile(*twice, "two frames would be written to this name");
   check_folder_output(arguments.output);
   names.emplace_back(kTransfer);
-  check_replaceable(arguments.output, names, Listing::kTransfer, inputs);
+  check_replaceable(arguments.output, names, Listing::kOfTransfer, inputs);
 }
 
 void check_endings(const TransferArguments& arguments) {
