@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -35,19 +35,23 @@ class PointIndex {
   static constexpr int kFree = -1;
   static constexpr std::size_t kLeastSlots = 64;
 
+  /// Equal where coordinates are, and also of what is not a number, so that it is found again.
+  static std::uint64_t bits(double coordinate) {
+    // Adding 0 turns -0 into 0.
+    return std::bit_cast<std::uint64_t>(coordinate + 0.0);
+  }
+
+  static bool is_same(const Point& a, const Point& b) {
+    return std::ranges::equal(a, b, {}, bits, bits);
+  }
+
   static std::uint64_t hash(const Point& point) {
     std::uint64_t result = 0;
     for (const double coordinate : point) {
-      // Adding 0 turns -0 into 0.
-      result = (result ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9e3779b97f4a7c15u;
+      result = (result ^ bits(coordinate)) * 0x9e3779b97f4a7c15u;
       result ^= result >> 32;
     }
     return result;
-  }
-
-  /// Equal or, so that what is not a number is found again, of the same bits.
-  static bool is_same(const Point& a, const Point& b) {
-    return a == b || std::memcmp(a.data(), b.data(), sizeof(Point)) == 0;
   }
 
   /// The slot that holds `point`, or the free one where it belongs. The number of slots is a power

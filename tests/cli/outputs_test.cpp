@@ -156,6 +156,16 @@ TEST_F(Outputs, FramesAreNotReplacedByTheirCopies) {
             (nlohmann::json{"registered.ply", "transfer.json", "x.ply"}));
 }
 
+TEST_F(Outputs, FramesStayWhenTheirFolderIsMatchedIntoAgain) {
+  match_into("out");
+  write_mesh(path("walk.off"), source_);
+  ASSERT_EQ(
+      run({"transfer", path("out"), "--poses", path("walk.off"), "-o", path("out")}).exit_code, 0);
+  match_into("out");
+  EXPECT_TRUE(fs::exists(path("out/walk.ply")));
+  EXPECT_TRUE(fs::exists(path("out/transfer.json")));
+}
+
 TEST_F(Outputs, MaterialsBesideAnOutputAreNotReplaced) {
   match_into("out");
   TexturedMesh textured{source_, {}};

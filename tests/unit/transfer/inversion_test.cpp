@@ -46,6 +46,23 @@ TEST(InvertMap, LeavesWhatNothingCoversUnmatched) {
     EXPECT_EQ(inverse[v].face != kNoFace, mesh.vertices[v].x() < 0.6 + 1e-9) << v;
 }
 
+TEST(InvertMap, AVertexThatIsNoNumberOrStraySpoilsNoOther) {
+  const Mesh mesh = test::rough_sphere(3, 0.1, 1);
+  const SurfaceMap plain = invert_map(mesh, mesh, test::identity_map(mesh));
+  for (const Point& bad : {Point(std::nan(""), 0, 0), Point(50, 0, 0)}) {
+    Mesh target = mesh;
+    target.vertices[17] = bad;
+    SurfaceMap map = test::identity_map(mesh);
+    for (int v = 0; v < mesh.num_vertices(); ++v)
+      if (std::ranges::count(mesh.faces[map[v].face], 17) > 0) map[v] = {};
+    const SurfaceMap inverse = invert_map(mesh, target, map, {.max_distance = 0.01});
+    EXPECT_EQ(inverse[17].face, kNoFace);
+    int same = 0;
+    for (int v = 0; v < mesh.num_vertices(); ++v) same += inverse[v].face == plain[v].face;
+    EXPECT_GT(same, 0.9 * mesh.num_vertices());
+  }
+}
+
 /// Two sides of a thin box: the nearest image in space lies on the wrong one.
 TEST(InvertMap, KeepsToTheSideOfAThinShape) {
   const Mesh box = test::box(8, {1, 1, 0.01});
