@@ -11,15 +11,12 @@
 #include <vector>
 
 #include "isomatch/error.h"
+#include "support/context.h"
 
 namespace isomatch {
 namespace {
 
-Context with_threads(int threads) {
-  Context context;
-  context.threads = threads;
-  return context;
-}
+using test::with_threads;
 
 TEST(ParallelFor, VisitsEveryIndexOnce) {
   for (const int threads : {1, 2, 5}) {
