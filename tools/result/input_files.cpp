@@ -19,11 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
-}
-
 std::string lower_case(std::string text) {
   for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return text;
@@ -53,6 +48,11 @@ void try_to_create(const std::string& folder) {
 }
 
 }  // namespace
+
+bool is_taken(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
+}
 
 InputFiles::InputFiles(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) add(path);
@@ -107,7 +107,7 @@ void check_output(const std::string& output, const InputFiles& inputs) {
 void check_companion_output(const std::string& output, const std::string& main,
                             const InputFiles& inputs) {
   check_output(output, inputs);
-  if (is_there(output) && !is_there(main))
+  if (is_taken(output) && !is_taken(main))
     throw BadFile(output, "is there already, but " + main +
                               ", beside which it goes, is not; choose another output or move it "
                               "away");

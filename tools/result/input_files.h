@@ -2,10 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace isomatch::cli {
+
+/// Whether something has this name, be it a link that leads nowhere.
+bool is_taken(const std::filesystem::path& path);
 
 /// The files that a command reads, none of which it may write to. Files are compared by what they
 /// are, whatever names and links lead to them.

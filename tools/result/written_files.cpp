@@ -52,17 +52,12 @@ bool is_inside(const fs::path& folder, const std::string& name) {
   return !error && !relative.empty() && *relative.begin() != "..";
 }
 
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
-}
-
 /// Fails if a folder of `name` is something else.
 void check_folders(const fs::path& folder, const fs::path& name) {
   fs::path path = folder;
   for (const fs::path& part : name.parent_path()) {
     path /= part;
-    if (is_there(path) && !fs::is_directory(path))
+    if (is_taken(path) && !fs::is_directory(path))
       throw BadFile(path.string(), "is not a folder, which is needed here");
   }
 }
@@ -89,7 +84,7 @@ void check_replaceable(const std::string& folder, const std::vector<std::string>
   for (const std::string& name : names) {
     const fs::path path = fs::path(folder) / name;
     check_folders(folder, name);
-    if (!is_there(path)) continue;
+    if (!is_taken(path)) continue;
     inputs.refuse(path.string());
     if (fs::is_symlink(path)) throw BadFile(path.string(), "is a link to another file");
     if (fs::is_directory(path)) throw BadFile(path.string(), "is a folder");
