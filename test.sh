@@ -116,6 +116,7 @@ if [ "$viewer" = true ] && [ "$lint" = true ]; then
 fi
 check "build" scripts/build.sh "$preset" || exit 1
 conclude
+if [ "$preset" = dev ]; then begin "demo" ./demo.sh; fi
 begin "glTF validator" scripts/validate_gltf.sh "$program"
 if [ "$preset" = dev ]; then
   begin "documentation" scripts/build_docs.sh "$program"

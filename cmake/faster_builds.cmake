@@ -18,7 +18,7 @@ if(PROJECT_IS_TOP_LEVEL AND ISOMATCH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       ${CMAKE_COMMAND} -E env ${ISOMATCH_CCACHE_SETTINGS} ${ISOMATCH_CCACHE})
 endif()
 
-# Code that is not worth optimising much in daily work: the library is what runs long.
+# Code that is not worth optimising much: the library is what runs long.
 function(isomatch_compile_quickly)
-  add_compile_options($<$<CONFIG:RelWithDebInfo>:-O1>)
+  add_compile_options($<$<CONFIG:RelWithDebInfo,Release>:-O1>)
 endfunction()

@@ -189,7 +189,7 @@ VertexMap vertices_of(const InputFile& file, const NpyArray& array, const MapChe
 SurfaceMap points_of(const InputFile& file, const NpyArray& triangles, const NpyArray& weights,
                      const MapChecks& checks) {
   // How far weights may be off by the rounding of whoever wrote them, maybe in 32 bits.
-  constexpr double kTolerance = 1e-6;
+  constexpr double kWeightTolerance = 1e-6;
   const std::size_t length = triangles.values.size();
   check_length(file, length, checks);
   if (weights.values.size() != 3 * length) file.fail("barycentric is not three times triangles");
@@ -202,11 +202,11 @@ SurfaceMap points_of(const InputFile& file, const NpyArray& triangles, const Npy
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
       point.weights[k] = weights.values[3 * v + k];
-      if (!(point.weights[k] >= -kTolerance && point.weights[k] <= 1 + kTolerance))
+      if (!(point.weights[k] >= -kWeightTolerance && point.weights[k] <= 1 + kWeightTolerance))
         file.fail(fmt::format("weight {} of vertex {} is not in [0, 1]", point.weights[k], v));
       sum += point.weights[k];
     }
-    if (std::abs(sum - 1) > kTolerance)
+    if (std::abs(sum - 1) > kWeightTolerance)
       file.fail(fmt::format("the weights of vertex {} sum to {} instead of 1", v, sum));
   }
   return map;

@@ -21,7 +21,7 @@ namespace {
 // A binary file: a free text, the number of triangles, and for each triangle its normal, three
 // corners, and an attribute.
 constexpr std::int64_t kTextBytes = 80;
-constexpr std::int64_t kHeaderBytes = kTextBytes + sizeof(std::uint32_t);
+constexpr std::int64_t kLeastBinaryBytes = kTextBytes + sizeof(std::uint32_t);
 constexpr std::int64_t kNormalBytes = 3 * sizeof(float);
 constexpr std::int64_t kAttributeBytes = sizeof(std::uint16_t);
 constexpr std::int64_t kTriangleBytes = 4 * kNormalBytes + kAttributeBytes;
@@ -135,13 +135,14 @@ bool has_binary_size(const InputFile& file) {
 
 ReadResult read_stl(const InputFile& file) {
   const bool solid = begins_with_solid(file);
-  if (file.end() - file.begin() < kHeaderBytes) {
+  if (file.end() - file.begin() < kLeastBinaryBytes) {
     if (!solid) file.fail("too short for a binary STL file, and an ASCII one begins with solid");
     return AsciiReader(file).read();
   }
   // Many binary files begin with solid too, but text has no zero bytes, and almost every binary
   // header has some.
-  const bool text = file.content().substr(0, kHeaderBytes).find('\0') == std::string_view::npos;
+  const bool text =
+      file.content().substr(0, kLeastBinaryBytes).find('\0') == std::string_view::npos;
   return solid && text && !has_binary_size(file) ? AsciiReader(file).read() : read_binary(file);
 }
 

@@ -8,15 +8,10 @@
 #include "isomatch/paper.h"
 #include "isomatch/tracked.h"
 #include "match/inputs.h"
+#include "result/measured_matches.h"
 
 /// Between the numbers of the surfaces, on which methods work, and those of the input meshes.
 namespace isomatch::cli {
-
-/// A correspondence with a distortion for each match, sorted.
-struct MeasuredMatches {
-  Correspondence matches;
-  std::vector<double> distortion;
-};
 
 /// Turns matches between the bases of a result of the paper's method into matches between input
 /// vertices. Keeps references.

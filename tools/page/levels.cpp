@@ -16,13 +16,13 @@ MeasuredMatches read_matches(const std::string& path, const MatchResult& result)
   if (!file) throw BadFile(path, "cannot be opened");
   MeasuredMatches measured;
   Match match{};
-  for (double d_iso = 0; file >> match.source >> match.target >> d_iso;) {
+  for (double distortion = 0; file >> match.source >> match.target >> distortion;) {
     if (match.source < 0 || match.source >= result.source.num_vertices() || match.target < 0 ||
         match.target >= result.target.num_vertices())
       throw BadFile(path, fmt::format("line {}", measured.matches.size() + 1),
                     "a vertex is out of range");
     measured.matches.push_back(match);
-    measured.d_iso.push_back(d_iso);
+    measured.distortion.push_back(distortion);
   }
   if (!file.eof())
     throw BadFile(path, fmt::format("line {}", measured.matches.size() + 1),

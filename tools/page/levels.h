@@ -4,16 +4,10 @@
 
 #include <vector>
 
-#include "isomatch/correspondence.h"
+#include "result/measured_matches.h"
 #include "result/result.h"
 
 namespace isomatch::cli {
-
-/// Matches with the isometric distortion of each.
-struct MeasuredMatches {
-  std::vector<Match> matches;
-  std::vector<double> d_iso;
-};
 
 /// One level of the paper's method, in the numbers of the input files: xi(k) and xi(k,1).
 struct ResultLevel {

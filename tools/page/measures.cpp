@@ -29,7 +29,7 @@ std::vector<double> at_input(const Surface& surface, const std::vector<double>& 
 std::vector<double> d_iso_of_levels(const MatchResult& result, const ResultLevel& last) {
   std::vector<double> d_iso(result.source.vertices.size(), kNotMeasured);
   for (std::size_t m = 0; m < last.many_to_one.matches.size(); ++m)
-    d_iso[last.many_to_one.matches[m].source] = last.many_to_one.d_iso[m];
+    d_iso[last.many_to_one.matches[m].source] = last.many_to_one.distortion[m];
   return d_iso;
 }
 

@@ -164,7 +164,7 @@ Json add_level(Packing& packing, const MeasuredMatches& level, const std::string
   packing.packer().add(name + "/source", sources, 4, Layout::kDelta);
   packing.packer().add(name + "/target", targets, 4, Layout::kDelta);
   return {{"matches", level.matches.size()},
-          {"d_iso_max", packing.add_distances(name + "/d_iso", level.d_iso)}};
+          {"d_iso_max", packing.add_distances(name + "/d_iso", level.distortion)}};
 }
 
 Json colors_json(const MatchResult& result, const PairView& view) {

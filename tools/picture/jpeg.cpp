@@ -9,7 +9,7 @@ namespace isomatch::picture {
 namespace {
 
 /// A block of 64 pixels takes a bit at least.
-constexpr std::int64_t kMostPixelsPerByte = 64 * 8;
+constexpr std::int64_t kMostJpegPixelsPerByte = 64 * 8;
 
 class Decompressor {
  public:
@@ -27,7 +27,7 @@ class Decompressor {
     const bool is_cmyk = color_space_ == TJCS_CMYK || color_space_ == TJCS_YCCK;
     const int channels = is_cmyk ? 4 : 3;
     Bitmap bitmap{width_, height_, nullptr};
-    bitmap.bytes = checked_bytes(path_, file_, pixels(), channels, kMostPixelsPerByte);
+    bitmap.bytes = checked_bytes(path_, file_, pixels(), channels, kMostJpegPixelsPerByte);
     // Scans without end would take hours.
     if (tjDecompress2(handle_.get(), data(), file_.size(), bitmap.bytes.get(), width_, 0, height_,
                       is_cmyk ? TJPF_CMYK : TJPF_RGB, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0)

@@ -15,7 +15,7 @@ namespace isomatch::picture {
 namespace {
 
 /// Of one bit each, where deflate makes a thousandth of them.
-constexpr std::int64_t kMostPixelsPerByte = 8 * 1032;
+constexpr std::int64_t kMostPngPixelsPerByte = 8 * 1032;
 
 std::vector<unsigned char> srgb_bytes(const Image& image) {
   std::vector<unsigned char> bytes;
@@ -65,7 +65,7 @@ Bitmap decode_png(const std::string& path, std::string_view file) {
   png.format = PNG_FORMAT_RGB;
   Bitmap bitmap{static_cast<int>(png.width), static_cast<int>(png.height), nullptr};
   const std::int64_t pixels = static_cast<std::int64_t>(png.width) * png.height;
-  bitmap.bytes = checked_bytes(path, file, pixels, 3, kMostPixelsPerByte);
+  bitmap.bytes = checked_bytes(path, file, pixels, 3, kMostPngPixelsPerByte);
   const png_color background{255, 255, 255};
   if (png_image_finish_read(&png, &background, bitmap.bytes.get(), 0, nullptr) == 0) fail();
   return bitmap;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <vector>
+#include <fstream>
+#include <iterator>
 
+#include "isomatch/error.h"
 #include "isomatch/texture_io.h"
 
 namespace isomatch::cli {
@@ -117,6 +119,21 @@ std::optional<std::string_view> find_end(const Words& words, std::size_t start,
 }
 
 }  // namespace
+
+std::vector<std::string> material_lines(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw BadFile(path, "cannot be read");
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  std::size_t at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  std::vector<std::string> lines;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+  }
+  return lines;
+}
 
 std::string_view keyword_of(std::string_view line) {
   const std::string_view text = trimmed(line);

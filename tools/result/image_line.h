@@ -5,9 +5,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Lines of files of materials (.mtl).
 namespace isomatch::cli {
+
+/// The lines of a file of materials, which end with \n, \r\n or \r.
+///
+/// Throws BadFile if it cannot be read.
+std::vector<std::string> material_lines(const std::string& path);
 
 /// What the line is about; empty if it is blank.
 std::string_view keyword_of(std::string_view line);

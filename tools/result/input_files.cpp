@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
@@ -31,8 +30,7 @@ bool has_materials(const std::string& path) {
 /// The images that a file of materials names, as far as they are there.
 std::vector<std::string> images_of(const std::string& library) {
   std::vector<std::string> images;
-  std::ifstream file(library);
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line : material_lines(library)) {
     const auto image = image_line(line, library);
     if (image && !image->path.empty()) images.push_back(image->path);
   }
@@ -65,18 +63,16 @@ void InputFiles::add(const std::string& path) {
 }
 
 void InputFiles::add_materials(const std::string& path) {
-  std::vector<std::string> libraries;
   try {
-    libraries = material_libraries(path);
+    for (const std::string& name : material_libraries(path)) {
+      const std::string library = find_named_file(name, path);
+      if (library.empty()) continue;
+      paths_.push_back(library);
+      for (std::string& image : images_of(library)) paths_.push_back(std::move(image));
+    }
   } catch (const BadFile&) {
     // Whoever needs the file says what is wrong with it.
     return;
-  }
-  for (const std::string& name : libraries) {
-    const std::string library = find_named_file(name, path);
-    if (library.empty()) continue;
-    paths_.push_back(library);
-    for (std::string& image : images_of(library)) paths_.push_back(std::move(image));
   }
 }
 

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string_view>
 
@@ -20,22 +18,6 @@ namespace {
 
 /// Of images that are not there.
 constexpr std::size_t kMostNames = 3;
-
-/// A line ends with \n, \r\n or \r.
-std::vector<std::string> lines_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw BadFile(path, "cannot be read");
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  std::size_t at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-  std::vector<std::string> lines;
-  while (at < text.size()) {
-    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
-  }
-  return lines;
-}
 
 using Images = std::map<std::string, std::string>;
 
@@ -67,7 +49,7 @@ std::vector<MaterialLibrary> load_libraries(const std::string& path) {
     if (library.path.empty())
       missing.insert(name);
     else
-      library.lines = lines_of(library.path);
+      library.lines = material_lines(library.path);
   }
   warn_of_missing(path, "files of materials that are not there", missing);
   return libraries;
