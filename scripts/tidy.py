@@ -2,8 +2,9 @@
 """Runs clang-tidy on the project's sources that changed since it last passed.
 
 Most of clang-tidy's time goes into the headers of Eigen and of the standard library, so several
-sources of the same target are checked as one. What passed is remembered under ~/.cache by its content: that of the source, of
-the project's headers that it includes, of the flags, of .clang-tidy and of the installed packages.
+sources of the same target are checked as one. What passed is remembered under ~/.cache by its
+content: that of the source, of the project's headers that it includes, of the flags, of .clang-tidy
+and of the installed packages with headers.
 
 Usage: scripts/tidy.py BUILD_FOLDER
 """
