@@ -105,17 +105,6 @@ int checked_vertex(const Line& line, std::string_view shape, std::optional<int> 
   return static_cast<int>(line.number - first);
 }
 
-/// Whether `path` is a text file that begins with a pair.
-bool lists_pairs(const std::string& path) {
-  if (is_point_map_file_name(path) || !(has_ending(path, ".txt") || has_ending(path, ".map")))
-    return false;
-  const InputFile file(path);
-  TextCursor cursor(file, kNumberLines);
-  if (!cursor.find_content()) return false;
-  cursor.word();
-  return !cursor.at_line_end();
-}
-
 Correspondence read_pair_list(const std::string& path, const MapChecks& checks,
                               std::optional<Numbering> numbering, MapReadReport& used) {
   const InputFile file(path);
@@ -282,6 +271,16 @@ bool is_vts_file_name(const std::string& path) { return has_ending(path, ".vts")
 bool is_map_file_name(const std::string& path) {
   return std::ranges::any_of(std::array{".txt", ".map", ".vts", ".npz"},
                              [&](const char* ending) { return has_ending(path, ending); });
+}
+
+bool lists_pairs(const std::string& path) {
+  if (is_point_map_file_name(path) || !(has_ending(path, ".txt") || has_ending(path, ".map")))
+    return false;
+  const InputFile file(path);
+  TextCursor cursor(file, kNumberLines);
+  if (!cursor.find_content()) return false;
+  cursor.word();
+  return !cursor.at_line_end();
 }
 
 void check_map_output(const std::string& path) {

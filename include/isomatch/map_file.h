@@ -85,6 +85,10 @@ bool is_point_map_file_name(const std::string& path);
 /// Whether `path` ends like a file that numbers from one, .vts.
 bool is_vts_file_name(const std::string& path);
 
+/// Whether `path` is a text file whose first line is a pair, see `read_matches`. Throws `BadFile`
+/// if it cannot be read.
+bool lists_pairs(const std::string& path);
+
 /// Throws the `BadFile` that `write_map` would throw because of `path` alone. Leaves no trace.
 void check_map_output(const std::string& path);
 

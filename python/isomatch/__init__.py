@@ -11,7 +11,8 @@
 Wherever a function takes a mesh, it takes the path of a file, a tuple (vertices, faces) of arrays,
 an object that has both, such as a mesh of trimesh, open3d or meshio, or a `Shape`. Vertices and
 faces keep their order and are numbered from 0. Bad input raises ValueError, a bad file OSError, a
-solver that fails RuntimeError. Results are the same for any number of threads.
+solver that fails RuntimeError; what is doubtful is a MatchWarning. Results are the same for any
+number of threads, and can be copied and pickled.
 """
 
 import os as _os
@@ -26,12 +27,17 @@ finally:
     if not _spinning_decided:
         del _os.environ["OMP_WAIT_POLICY"]
 
-from ._match import Hypothesis, Level, Map, Match, match
+from ._folders import load
+from ._maps import Points, read_map, write_map
+from ._match import Hypothesis, Level, Map, Match
+from ._matching import match
 from ._meshes import Shape, read_mesh, write_mesh
 from ._stages import (
     Distortion,
+    ErrorCurve,
     Orientation,
     SynthShape,
+    error_curve,
     evaluate,
     farthest_points,
     gaussian_curvature,
@@ -53,22 +59,26 @@ from ._textures import (
     write_colored_mesh,
     write_textured_mesh,
 )
-from ._transfer import Points, Transfer, invert_map
+from ._transfer import Transfer, invert_map
+from ._warnings import MatchWarning
 
 __version__ = _core.version
 
 __all__ = [
     "Distortion",
+    "ErrorCurve",
     "Hypothesis",
     "Level",
     "Map",
     "Match",
+    "MatchWarning",
     "Orientation",
     "Points",
     "Shape",
     "SynthShape",
     "TexturedMesh",
     "Transfer",
+    "error_curve",
     "evaluate",
     "farthest_points",
     "gaussian_curvature",
@@ -77,9 +87,11 @@ __all__ = [
     "integral_geodesic_distance",
     "invert_map",
     "isometric_distortion",
+    "load",
     "map_orientation",
     "match",
     "material_libraries",
+    "read_map",
     "read_mesh",
     "read_textured_mesh",
     "read_vertex_colors",
@@ -88,6 +100,7 @@ __all__ = [
     "sample_jointly",
     "synthesize",
     "write_colored_mesh",
+    "write_map",
     "write_mesh",
     "write_textured_mesh",
 ]

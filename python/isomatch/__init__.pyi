@@ -5,7 +5,16 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
-from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress, TruthLike
+from ._types import (
+    ArrayLike,
+    Geodesics,
+    MapLike,
+    MeshLike,
+    Method,
+    PathLike,
+    Progress,
+    TruthLike,
+)
 
 __version__: str
 
@@ -24,11 +33,11 @@ class Map:
     def transfer(self) -> Transfer: ...
 
 class Shape:
-    geodesics: str
+    geodesics: Geodesics
     def __init__(
         self,
         mesh: MeshLike,
-        geodesics: str = 'w20',
+        geodesics: Geodesics = 'w20',
         *,
         threads: Optional[int] = None,
         progress: Progress = None,
@@ -121,6 +130,10 @@ class Distortion(NamedTuple):
     maximum: float
     per_match: np.ndarray
 
+class ErrorCurve(NamedTuple):
+    thresholds: np.ndarray
+    shares: np.ndarray
+
 class Hypothesis(NamedTuple):
     distortion: float
     orientation: float
@@ -138,11 +151,13 @@ class Level(NamedTuple):
     outliers_moved: int
 
 class Match(Map):
-    method: str
+    method: Method
     alternatives: List[Map]
     confidence: Optional[float]
     oriented: Optional[bool]
     seconds: Dict[str, float]
+    @property
+    def warnings(self) -> List[str]: ...
     @property
     def correspondence(self) -> np.ndarray: ...
     @property
@@ -160,6 +175,7 @@ class Match(Map):
         self,
         gt: TruthLike = None,
         *,
+        per_vertex: bool = False,
         threads: Optional[int] = None,
         progress: Progress = None,
         max_samples: int = 20000,
@@ -184,9 +200,18 @@ class Orientation(NamedTuple):
     votes: int
 
 class Points(NamedTuple):
-    vertices: np.ndarray
+    vertices: Optional[np.ndarray]
     triangles: np.ndarray
     barycentric: np.ndarray
+
+class MatchWarning(UserWarning):
+    ...
+
+def error_curve(
+    errors: ArrayLike,
+    maximum: float = 0.25,
+    points: int = 100,
+) -> ErrorCurve: ...
 
 def evaluate(
     source: MeshLike,
@@ -194,6 +219,7 @@ def evaluate(
     correspondence: MapLike,
     gt: TruthLike = None,
     *,
+    per_vertex: bool = False,
     threads: Optional[int] = None,
     progress: Progress = None,
     max_samples: int = 20000,
@@ -269,6 +295,15 @@ def isometric_distortion(
     list_size: int = 500,
 ) -> Distortion: ...
 
+def load(
+    folder: PathLike,
+    source: Optional[PathLike] = None,
+    target: Optional[PathLike] = None,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Match: ...
+
 def map_orientation(
     source: MeshLike,
     target: MeshLike,
@@ -284,10 +319,11 @@ def map_orientation(
 def match(
     source: MeshLike,
     target: MeshLike,
-    method: str = 'tracked',
-    landmarks: Optional[ArrayLike] = None,
+    method: Method = 'tracked',
+    landmarks: Union[None, ArrayLike, PathLike] = None,
     *,
-    geodesics: str = 'w20',
+    geodesics: Geodesics = 'w20',
+    seed: int = 0,
     threads: Optional[int] = None,
     progress: Progress = None,
     allow_reflection: bool = False,
@@ -310,12 +346,20 @@ def match(
     list_size: int = 100,
     coarse_candidates: int = 24,
     candidate_levels: int = 4,
-    max_levels: int = 100,
+    levels: int = 100,
 ) -> Match: ...
 
 def material_libraries(
     path: PathLike,
 ) -> List[str]: ...
+
+def read_map(
+    path: PathLike,
+    source: Optional[MeshLike] = None,
+    target: Optional[MeshLike] = None,
+    *,
+    one_based: Optional[bool] = None,
+) -> Union[np.ndarray, Points]: ...
 
 def read_mesh(
     path: PathLike,
@@ -364,7 +408,7 @@ def sample_jointly(
     list_size: int = 100,
     coarse_candidates: int = 24,
     candidate_levels: int = 4,
-    max_levels: int = 100,
+    levels: int = 100,
 ) -> Tuple[np.ndarray, np.ndarray]: ...
 
 def synthesize(
@@ -381,6 +425,14 @@ def write_colored_mesh(
     path: PathLike,
     mesh: MeshLike,
     colors: ArrayLike,
+) -> None: ...
+
+def write_map(
+    path: PathLike,
+    source_to_target: MapLike,
+    target: Optional[MeshLike] = None,
+    *,
+    one_based: bool = False,
 ) -> None: ...
 
 def write_mesh(

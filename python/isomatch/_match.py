@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileCopyrightText: 2026 The isomatch authors
-"""Matching two meshes, and what comes out of it."""
+"""What comes out of matching two meshes."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ from typing import Any, Dict, List, NamedTuple, Optional
 import numpy as np
 
 from . import _core
-from ._meshes import Shape, as_shape, write_mesh
-from ._options import check_options, takes_options
+from ._maps import Points
+from ._meshes import Shape, write_mesh
+from ._options import takes_options
 from ._stages import Distortion, evaluate, isometric_distortion
-from ._transfer import Points, Transfer
-from ._types import ArrayLike, MeshLike, PathLike, Progress, TruthLike
+from ._transfer import Transfer
+from ._types import Method, PathLike, Progress, TruthLike
 
 
 class Hypothesis(NamedTuple):
@@ -49,6 +50,12 @@ class Level(NamedTuple):
     #: Outliers that merging moved.
     outliers_moved: int
 
+    def __repr__(self):
+        return (
+            f"<isomatch.Level of {len(self.source_bases)} source and {len(self.target_bases)} "
+            f"target bases, mean distortion {self.distortion.mean():.3g}>"
+        )
+
 
 class Map:
     """A map from the source's vertices to points on the target, one of those that were found.
@@ -64,7 +71,7 @@ class Map:
     #: (N, 3) barycentric weights of that face's corners, 0 where it is unmatched.
     barycentric: np.ndarray
     #: (M) source vertex of each target vertex, -1 where it is unmatched; None with the paper's
-    #: method.
+    #: method, and where the result is from a folder that was saved without it.
     target_to_source: Optional[np.ndarray]
     #: (N, 3) the source's vertices in the target's pose and coordinates; None if the method does
     #: not register.
@@ -89,6 +96,14 @@ class Map:
         self.distance = figures.get("distance")
         self.mirrored = figures.get("mirrored", False)
 
+    def __repr__(self):
+        return f"<isomatch.Map: {self._described()}>"
+
+    def _described(self):
+        matched = np.count_nonzero(self.source_to_target >= 0)
+        energy = "" if self.energy is None else f", energy {self.energy:.3g}"
+        return f"{matched} of {len(self.source_to_target)} source vertices matched{energy}"
+
     @functools.cached_property
     def transfer(self) -> Transfer:
         """Carries what belongs to one mesh over to the other: `transfer(values)`, and methods for
@@ -100,7 +115,7 @@ class Match(Map):
     """The result of `match`: its best map, the other ones, and how they were found."""
 
     #: "tracked" or "paper".
-    method: str
+    method: Method
     #: Other maps that are worth a look, best first.
     alternatives: List[Map]
     #: 1 - C1 / C2, with C the cost of the best map and of the best other one: near 0 where the
@@ -112,15 +127,44 @@ class Match(Map):
     #: Wall-clock seconds of each stage.
     seconds: Dict[str, float]
 
-    def __init__(self, core, method, meshes, landmarks, maps):
+    def __init__(self, core, method, meshes, landmarks, landmark_file=None):
+        maps = _tracked_maps(core) if method == "tracked" else [{"points": core.points()}]
         super().__init__(meshes, **maps[0])
         self._core = core
-        self._landmarks = landmarks
+        self._landmarks, self._landmark_file = landmarks, landmark_file
         self.method = method
         self.alternatives = [Map(meshes, **parts) for parts in maps[1:]]
         self.confidence = core.confidence if method == "tracked" else None
         self.oriented = core.oriented if method == "tracked" else None
         self.seconds = core.seconds
+
+    def __getstate__(self):
+        return self.method, self.source, self.target, self._landmarks, self._core.state
+
+    def __setstate__(self, state):
+        method, source, target, landmarks, core = state
+        of_state = {"tracked": _core.tracked_of_state, "paper": _core.paper_of_state}[method]
+        core = of_state(source._core, target._core, core)
+        self.__init__(core, method, (source, target), landmarks)
+
+    @property
+    def warnings(self) -> List[str]:
+        """A sentence for each reason to look twice: those of both meshes, see `Shape.warnings`, and
+        those of the choice among maps. `match` warned of the grave ones."""
+        return self._of_meshes("warnings") + self._doubts()
+
+    def _urgent_warnings(self):
+        return self._of_meshes("urgent_warnings") + self._doubts()
+
+    def _of_meshes(self, kind):
+        return [
+            f"{name}: {text}"
+            for name, mesh in (("source", self.source), ("target", self.target))
+            for text in getattr(mesh._core, kind)
+        ]
+
+    def _doubts(self):
+        return self._core.doubts if self.method == "tracked" else []
 
     @functools.cached_property
     def correspondence(self) -> np.ndarray:
@@ -161,17 +205,20 @@ class Match(Map):
         self,
         gt: TruthLike = None,
         *,
+        per_vertex: bool = False,
         threads: Optional[int] = None,
         progress: Progress = None,
         **options,
     ) -> Dict[str, Any]:
-        """How good the map is, against the ground truth `gt` if it is given; see `evaluate`."""
+        """How good the map is, against the ground truth `gt` if it is given, and with `per_vertex`
+        the error of each source vertex; see `evaluate`."""
         points = (self.triangles, self.barycentric)
         return evaluate(
             self.source,
             self.target,
             points if self.method == "tracked" else self.source_to_target,
             gt,
+            per_vertex=per_vertex,
             threads=threads,
             progress=progress,
             **options,
@@ -180,13 +227,15 @@ class Match(Map):
     def save(
         self, folder: PathLike, *, target_to_source: bool = False, report: bool = False
     ) -> None:
-        """Writes what `isomatch match -o FOLDER` writes, byte for byte but for times; what isomatch
-        wrote into the folder before is replaced. Meshes that were given as arrays are written into
+        """Writes what `isomatch match -o FOLDER` writes, byte for byte but for times, for `load` to
+        read; what isomatch wrote into the folder before is replaced. Meshes that were given as arrays are written into
         it as source.ply and target.ply, landmarks as landmarks.txt. `target_to_source` adds the
         inverse map of the tracked method, `report` a page that shows the result. Raises OSError,
         before anything is written also if a file would be replaced that isomatch did not write."""
         if target_to_source and self.method != "tracked":
             raise ValueError("target_to_source: the paper's method makes no inverse map")
+        if target_to_source and self.target_to_source is None:
+            raise ValueError("target_to_source: the folder of this result did not have it")
         folder = os.fsencode(folder)
         os.makedirs(os.path.dirname(os.path.abspath(folder)), exist_ok=True)
         arrays = self._arrays_to_save()
@@ -194,7 +243,7 @@ class Match(Map):
             folder,
             os.fsencode(self.source.path or os.path.join(folder, b"source.ply")),
             os.fsencode(self.target.path or os.path.join(folder, b"target.ply")),
-            os.path.join(folder, b"landmarks.txt") if b"landmarks.txt" in arrays else b"",
+            self._saved_landmarks(folder),
             list(arrays),
             target_to_source,
             report,
@@ -208,13 +257,18 @@ class Match(Map):
             page = os.path.join(folder, b"report.html")
             _core.write_page(page, saved, b"", b"", _core.RunOptions(None, None))
 
+    def _saved_landmarks(self, folder):
+        if self._landmark_file or len(self._landmarks) == 0:
+            return os.fsencode(self._landmark_file or "")
+        return os.path.join(folder, b"landmarks.txt")
+
     def _arrays_to_save(self):
         """What was given as arrays: names of files, and what writes each."""
         arrays = {}
         for name, shape in ((b"source.ply", self.source), (b"target.ply", self.target)):
             if not shape.path:
                 arrays[name] = functools.partial(write_mesh, mesh=shape)
-        if len(self._landmarks) > 0:
+        if len(self._landmarks) > 0 and not self._landmark_file:
             arrays[b"landmarks.txt"] = functools.partial(
                 np.savetxt, X=self._landmarks, fmt="%d", encoding="ascii"
             )
@@ -246,12 +300,21 @@ class Match(Map):
         )
 
     def __repr__(self):
-        matched = np.count_nonzero(self.source_to_target >= 0)
         confidence = "" if self.confidence is None else f", confidence {self.confidence:.2f}"
-        return (
-            f"<isomatch.Match by the {self.method} method: {matched} of "
-            f"{len(self.source_to_target)} source vertices matched{confidence}>"
-        )
+        return f"<isomatch.Match by the {self.method} method: {self._described()}{confidence}>"
+
+
+def _tracked_maps(core):
+    """The parts of each map, best first."""
+    return [
+        {
+            "points": core.points(number),
+            "inverse": Points(**core.inverse_points(number)) if core.has_inverse else None,
+            "registered_vertices": core.registered(number),
+            "figures": core.figures(number),
+        }
+        for number in range(core.num_maps)
+    ]
 
 
 def _level(matches, many_to_one, **rest):
@@ -262,90 +325,3 @@ def _level(matches, many_to_one, **rest):
         many_to_one_distortion=many_to_one[1],
         **rest,
     )
-
-
-def _as_landmarks(landmarks):
-    return np.zeros((0, 2), np.int64) if landmarks is None else np.asarray(landmarks)
-
-
-def _tracked_map(core, number):
-    return {
-        "points": core.points(number),
-        "inverse": Points(**core.inverse_points(number)),
-        "registered_vertices": core.registered(number),
-        "figures": core.figures(number),
-    }
-
-
-def _match_tracked(source, target, landmarks, options, run):
-    core = _core.match_tracked(source._core, target._core, landmarks, options, run)
-    return core, [_tracked_map(core, number) for number in range(core.num_maps)]
-
-
-def _match_paper(source, target, landmarks, options, run):
-    if len(landmarks) > 0:
-        raise ValueError("landmarks: the paper's method takes none")
-    core = _core.match_paper(source._core, target._core, source.geodesics, options, run)
-    return core, [{"points": core.points()}]
-
-
-_METHODS = {"tracked": _match_tracked, "paper": _match_paper}
-
-
-@takes_options("tracked", "paper")
-def match(
-    source: MeshLike,
-    target: MeshLike,
-    method: str = "tracked",
-    landmarks: Optional[ArrayLike] = None,
-    *,
-    geodesics: str = "w20",
-    threads: Optional[int] = None,
-    progress: Progress = None,
-    **options,
-) -> Match:
-    """Finds the correspondence between two triangle meshes of the same thing.
-
-    Parameters
-    ----------
-    source, target
-        Meshes in any form that `Shape` takes: the path of a file, a tuple (vertices, faces), an
-        object that has both, or a `Shape`.
-    method
-        "tracked": a point on the target for every source vertex, and the source in the target's
-        pose; "paper": the many-to-many matching of Sahillioglu and Yemez (2011), level by level.
-    landmarks
-        (L, 2) source and target vertices that must match; for the tracked method.
-    geodesics
-        "w20", "w10" or "edges", see `Shape`, which keeps its own; for the paper's method and for
-        what is measured.
-    threads
-        Number of threads, by default as many as the machine has. Results do not depend on it.
-    progress
-        Called as `progress(fraction, stage)` with fraction in [0, 1]. What it raises ends the
-        matching and is raised here.
-
-    Returns
-    -------
-    Match
-
-    Raises
-    ------
-    ValueError
-        An option is out of range, a mesh cannot be matched, or no correspondence was found.
-    OSError
-        A file cannot be read.
-    RuntimeError
-        A solver failed.
-    KeyboardInterrupt
-        Ctrl-C, after a moment. Other Python threads go on meanwhile.
-    """
-    if method not in _METHODS:
-        raise ValueError(f"method: expected 'tracked' or 'paper', not {method!r}")
-    check_options(options, method, function=f"match(method={method!r})")
-    source = as_shape(source, geodesics, threads)
-    target = as_shape(target, geodesics, threads)
-    pairs = _as_landmarks(landmarks)
-    run = _core.RunOptions(threads, progress)
-    core, maps = _METHODS[method](source, target, pairs, options, run)
-    return Match(core, method, (source, target), pairs, maps)

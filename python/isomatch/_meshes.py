@@ -6,35 +6,47 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping
 from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
 from . import _core
-from ._types import MeshLike, PathLike, Progress
+from ._progress import shows_progress
+from ._types import Geodesics, MeshLike, PathLike, Progress
+
+
+# What trimesh, open3d, meshio and pyFM call them.
+_VERTICES = "vertices", "points", "vertlist"
+_FACES = "faces", "triangles", "facelist"
+
+
+def _part(mesh, names):
+    """What a mesh has under the first of these names, None if under none."""
+    for name in names:
+        part = mesh.get(name) if isinstance(mesh, Mapping) else getattr(mesh, name, None)
+        if part is not None:
+            return part
+    return None
 
 
 def _triangles(mesh):
-    """The triangles of an object: `.faces`, `.triangles` (open3d) or `.cells_dict` (meshio)."""
-    for name in ("faces", "triangles"):
-        if hasattr(mesh, name):
-            return getattr(mesh, name)
-    cells = getattr(mesh, "cells_dict", {})
-    return cells.get("triangle")
+    faces = _part(mesh, _FACES)
+    return getattr(mesh, "cells_dict", {}).get("triangle") if faces is None else faces
 
 
 def as_arrays(mesh):
     """(N, 3) coordinates and (M, 3) vertex indices of a mesh in any form."""
     if isinstance(mesh, (str, os.PathLike)):
         return _core.read_mesh(os.fsencode(mesh))
-    if isinstance(mesh, tuple) and len(mesh) == 2:
+    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
         return np.asarray(mesh[0]), np.asarray(mesh[1])
-    vertices = getattr(mesh, "vertices", getattr(mesh, "points", None))
-    faces = _triangles(mesh)
+    vertices, faces = _part(mesh, _VERTICES), _triangles(mesh)
     if vertices is None or faces is None:
+        hint = "; give both arrays as one" if isinstance(mesh, np.ndarray) else ""
         raise TypeError(
-            "a mesh is the path of a file, a tuple (vertices, faces), or an object that has "
-            f"both, not {type(mesh).__name__}"
+            "a mesh is the path of a file, a tuple (vertices, faces), or an object or dict that "
+            f"has both, not {type(mesh).__name__}{hint}"
         )
     return np.asarray(vertices), np.asarray(faces)
 
@@ -43,21 +55,22 @@ class Shape:
     """A mesh, prepared for matching: its surface and, once it is needed, its geodesic graph.
 
     Wherever a function takes a mesh it takes a Shape, which saves the time of preparing it again.
+    It can be copied and pickled; a copy prepares its geodesic graph once more when it needs it.
 
     Parameters
     ----------
     mesh
         The path of an OFF, OBJ, PLY, STL, glTF or MATLAB file; a tuple of an (N, 3) array of
-        coordinates and an (M, 3) array of vertex indices from 0; or an object with `vertices` or
-        `points` and `faces`, `triangles` or `cells_dict`, such as meshes of trimesh, open3d and
-        meshio.
+        coordinates and an (M, 3) array of vertex indices from 0; or an object or dict with
+        `vertices`, `points` or `vertlist` and `faces`, `triangles`, `facelist` or `cells_dict`,
+        such as meshes of trimesh, open3d, meshio and pyFM.
     geodesics
         "w20" or "w10": straight lines across triangles, mean error .22 % and .06 %; "edges": along
         edges, as in the paper.
     threads
         Number of threads, by default as many as the machine has. Results do not depend on it.
     progress
-        Called as `progress(fraction, stage)` with fraction in [0, 1].
+        True for a bar, or called as `progress(fraction, stage)` with fraction in [0, 1].
 
     Raises
     ------
@@ -68,12 +81,13 @@ class Shape:
     """
 
     #: "w20", "w10" or "edges", as given.
-    geodesics: str
+    geodesics: Geodesics
 
+    @shows_progress
     def __init__(
         self,
         mesh: MeshLike,
-        geodesics: str = "w20",
+        geodesics: Geodesics = "w20",
         *,
         threads: Optional[int] = None,
         progress: Progress = None,
@@ -125,6 +139,19 @@ class Shape:
     def diagnosis(self) -> Dict[str, Any]:
         """What the mesh is made of, as a dictionary; what `isomatch info --json` prints."""
         return json.loads(self._core.diagnosis_json())
+
+    def __getstate__(self):
+        return {
+            "path": self._core.path,
+            "vertices": self._core.vertices,
+            "faces": self._core.faces,
+            "read_report": self._core.read_report,
+            "geodesics": self.geodesics,
+        }
+
+    def __setstate__(self, state):
+        self._core = _core.restore_shape(**state)
+        self.geodesics = state["geodesics"]
 
     def __repr__(self):
         return (

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The isomatch authors
 """Keywords of the library's options, derived from its C++ structs."""
 
+import difflib
 import inspect
 
 from . import _core
@@ -23,11 +24,24 @@ def _parameters(lists):
     return parameters
 
 
-def _describe(parameters):
-    return "".join(
-        f"\n    {name} = {parameter.default!r}\n        {meaning}"
-        for name, (parameter, meaning) in parameters.items()
-    )
+#: What lists are of, where a function has several.
+_SUBJECTS = {
+    "tracked": "the tracked method",
+    "paper": "the paper's method",
+    "truth": "errors against a ground truth",
+    "distortion": "isometric distortion",
+}
+
+
+def _describe(lists):
+    """Options in groups, a heading over each."""
+    text = ""
+    for key in lists:
+        subject = f" of {_SUBJECTS[key]}" if len(lists) > 1 else ""
+        text += f"\n\nOptions{subject} and their defaults:\n"
+        for name, (parameter, meaning) in _parameters([key]).items():
+            text += f"\n    {name} = {parameter.default!r}\n        {meaning}"
+    return text
 
 
 def takes_options(*lists):
@@ -41,22 +55,26 @@ def takes_options(*lists):
         function.__signature__ = signature.replace(
             parameters=own + [parameter for parameter, _ in parameters.values()]
         )
-        heading = "\n\nOptions and their defaults:\n"
-        function.__doc__ = inspect.cleandoc(function.__doc__) + heading + _describe(parameters)
+        function.__doc__ = inspect.cleandoc(function.__doc__) + _describe(lists)
         return function
 
     return decorate
 
 
-def check_options(options, *lists, function):
-    """Raises TypeError for a keyword that none of the lists has."""
+def check_options(options, *lists, function, methods=()):
+    """Raises TypeError for a keyword that none of the lists has. It may be one of `methods`, lists
+    that the function has at other times."""
     known = _parameters(lists)
     for name in options:
-        if name not in known:
-            raise TypeError(
-                f"{function}() got an unexpected keyword argument {name!r}; "
-                f"its options are {', '.join(known)}"
-            )
+        if name in known:
+            continue
+        elsewhere = [_SUBJECTS[key] for key in methods if name in _parameters([key])]
+        close = difflib.get_close_matches(name, known, 1)
+        hint = f"did you mean {close[0]!r}? " if close else ""
+        hint = f"it is one of {elsewhere[0]}; " if elsewhere else hint
+        raise TypeError(
+            f"{function} has no option {name!r}: {hint}its options are {', '.join(known)}"
+        )
 
 
 def select(options, key):

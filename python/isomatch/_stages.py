@@ -12,12 +12,15 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from . import _core
+from ._maps import as_map, as_matches
 from ._meshes import as_arrays, as_shape
 from ._options import check_options, select, takes_options
+from ._progress import shows_progress
 from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress, TruthLike
 
 
 @takes_options("geodesics")
+@shows_progress
 def geodesic_distances(
     mesh: MeshLike,
     sources: ArrayLike,
@@ -39,6 +42,7 @@ def geodesic_distances(
 
 
 @takes_options("geodesics")
+@shows_progress
 def geodesic_diameter(
     mesh: MeshLike, *, threads: Optional[int] = None, progress: Progress = None, **options
 ) -> float:
@@ -51,6 +55,7 @@ def geodesic_diameter(
 
 
 @takes_options("geodesics")
+@shows_progress
 def farthest_points(
     mesh: MeshLike,
     count: int,
@@ -70,6 +75,7 @@ def farthest_points(
 
 
 @takes_options("saliency")
+@shows_progress
 def integral_geodesic_distance(
     mesh: MeshLike, *, threads: Optional[int] = None, progress: Progress = None, **options
 ) -> np.ndarray:
@@ -82,6 +88,7 @@ def integral_geodesic_distance(
 
 
 @takes_options("saliency")
+@shows_progress
 def gaussian_curvature(
     mesh: MeshLike, *, threads: Optional[int] = None, progress: Progress = None, **options
 ) -> np.ndarray:
@@ -93,6 +100,7 @@ def gaussian_curvature(
     )
 
 
+@shows_progress
 def sample_bases(
     mesh: MeshLike,
     radius: float,
@@ -114,6 +122,7 @@ def sample_bases(
 
 
 @takes_options("paper")
+@shows_progress
 def sample_jointly(
     source: MeshLike,
     target: MeshLike,
@@ -145,6 +154,12 @@ class Distortion(NamedTuple):
     #: d_iso of each match, NaN where a vertex is off the surface that is matched.
     per_match: np.ndarray
 
+    def __repr__(self):
+        return (
+            f"<isomatch.Distortion: mean {self.mean:.3g} and maximum {self.maximum:.3g} of "
+            f"{len(self.per_match)} matches>"
+        )
+
 
 class Orientation(NamedTuple):
     """Whether a map turns the surface over, as a left-right flip does."""
@@ -159,19 +174,8 @@ class Orientation(NamedTuple):
     votes: int
 
 
-def as_matches(correspondence):
-    """A map (N) from source vertices to target vertices, -1 where there is none, or (K, 2) pairs,
-    as (K, 2) pairs."""
-    matches = np.asarray(correspondence)
-    if matches.ndim != 1:
-        return matches
-    if matches.dtype.kind not in "iu":
-        raise ValueError("a map holds integers")
-    matched = np.flatnonzero(matches >= 0)
-    return np.column_stack([matched, matches[matched]])
-
-
 @takes_options("distortion")
+@shows_progress
 def isometric_distortion(
     source: MeshLike,
     target: MeshLike,
@@ -199,6 +203,7 @@ def isometric_distortion(
 
 
 @takes_options("orientation")
+@shows_progress
 def map_orientation(
     source: MeshLike,
     target: MeshLike,
@@ -234,43 +239,72 @@ def _vertices(truth, mesh):
     return np.array(_core.read_ground_truth(os.fsencode(truth), vertices), dtype=np.int64)
 
 
+def _is_lists(gt):
+    """Whether it is a list of vertices for each mesh. A list of pairs of numbers is not."""
+    if isinstance(gt, tuple):
+        return len(gt) in (2, 3)
+    return isinstance(gt, list) and len(gt) in (2, 3) and all(
+        isinstance(part, (str, os.PathLike, np.ndarray)) or np.size(part) > 2 for part in gt
+    )
+
+
 def as_truth(gt, source, target):
     """A ground truth in any form as arrays for the source, the target, and the target under the
     left-right symmetry, empty where there is none."""
     nothing = np.zeros(0, np.int64)
     if gt is None:
         return nothing, nothing, nothing
-    if isinstance(gt, tuple) and len(gt) in (2, 3):
+    if _is_lists(gt):
         meshes = (source, target, target)
         return (*(_vertices(*given) for given in zip(gt, meshes)), nothing)[:3]
     matches = as_matches(gt)
     if matches.ndim != 2 or matches.shape[1] != 2:
-        raise ValueError("gt: expected a map (N) or two arrays of corresponding vertices")
+        raise ValueError("gt: expected a map (N) or two lists of corresponding vertices")
     return matches[:, 0], matches[:, 1], nothing
 
 
-def as_map(correspondence):
-    """A map in any form as the core takes it: pairs of vertices, or faces and weights."""
-    if hasattr(correspondence, "triangles"):
-        return correspondence.triangles, correspondence.barycentric
-    if isinstance(correspondence, tuple) and len(correspondence) == 2:
-        return tuple(np.asarray(array) for array in correspondence)
-    return (as_matches(correspondence),)
+class ErrorCurve(NamedTuple):
+    """How many errors are small: what papers plot."""
+
+    #: Errors, evenly spaced from 0.
+    thresholds: np.ndarray
+    #: Share of the errors that are at most as large, in [0, 1].
+    shares: np.ndarray
+
+    def __repr__(self):
+        return (
+            f"<isomatch.ErrorCurve: {self.shares[-1]:.1%} of errors are at most "
+            f"{self.thresholds[-1]:g}>"
+        )
+
+
+def error_curve(errors: ArrayLike, maximum: float = 0.25, points: int = 100) -> ErrorCurve:
+    """The cumulative curve of errors, at `points` thresholds up to `maximum`. NaN is left out; if
+    nothing else is there, all shares are NaN. The field plots geodesic errors over sqrt(area) up to
+    .25, as `evaluate` gives them. O(N log N)."""
+    measured = np.asarray(errors, dtype=np.float64).ravel()
+    measured = np.sort(measured[~np.isnan(measured)])
+    thresholds = np.linspace(0, maximum, points)
+    counts = np.searchsorted(measured, thresholds, side="right").astype(float)
+    shares = counts / len(measured) if len(measured) > 0 else np.full(points, np.nan)
+    return ErrorCurve(thresholds, shares)
 
 
 @takes_options("truth", "distortion")
+@shows_progress
 def evaluate(
     source: MeshLike,
     target: MeshLike,
     correspondence: MapLike,
     gt: TruthLike = None,
     *,
+    per_vertex: bool = False,
     threads: Optional[int] = None,
     progress: Progress = None,
     **options,
 ) -> Dict[str, Any]:
-    """How good a correspondence is: what `isomatch eval --json` prints, as a dictionary,
-    but for the numbering of a file.
+    """How good a correspondence is: what `isomatch eval --json` prints, as a dictionary, but for
+    the numbering of a file.
 
     Parameters
     ----------
@@ -279,35 +313,45 @@ def evaluate(
     correspondence
         A map (N) from source vertices to target vertices, -1 where there is none; an array (K, 2)
         of source and target vertices; or, for points on triangles, a tuple of an array (N) of
-        target faces, -1 where there is none, and an array (N, 3) of barycentric weights, or an object that has
-        both as `triangles` and `barycentric`.
+        target faces, -1 where there is none, and an array (N, 3) of barycentric weights, or an
+        object that has both as `triangles` and `barycentric`.
     gt
-        Ground truth: a map (N) as above; or a tuple of two lists of corresponding vertices, arrays
-        or files as in docs/formats.md such as .vts, of the source and of the target, and maybe a third one of the target under
-        its left-right symmetry.
+        Ground truth: a map (N) or pairs (K, 2) as above; or a tuple or list of two lists of
+        corresponding vertices, arrays or files as in docs/formats.md such as .vts, of the source
+        and of the target, and maybe a third one of the target under its left-right symmetry.
+    per_vertex
+        Also give the error of each source vertex and the curve of these errors. All are computed,
+        whatever `max_samples` says.
 
     Returns
     -------
     dict
         `matches`; `d_iso_over_max_geodesic`; `target_hit`: shares of vertices and area;
-        `orientation`; with a truth `ground_truth`: errors over sqrt(area) of the target.
+        `orientation`; with a truth `ground_truth`: errors over sqrt(area) of the target. With
+        `per_vertex` `ground_truth` has also `per_vertex`, an array (N) of errors over sqrt(area),
+        NaN where a vertex has no truth or no match, the mean where it has several; and `curve`, an
+        `ErrorCurve` of these. The same goes for `symmetric_ground_truth`, if there is a third list.
     """
     check_options(options, "truth", "distortion", function="evaluate")
     source, target = as_shape(source, threads=threads), as_shape(target, threads=threads)
-    return json.loads(
-        _core.evaluate(
-            source._core,
-            target._core,
-            as_map(correspondence),
-            as_truth(gt, source, target),
-            select(options, "truth"),
-            select(options, "distortion"),
-            _core.RunOptions(threads, progress),
-        )
+    text, *errors = _core.evaluate(
+        source._core,
+        target._core,
+        as_map(correspondence),
+        as_truth(gt, source, target),
+        per_vertex,
+        select(options, "truth"),
+        select(options, "distortion"),
+        _core.RunOptions(threads, progress),
     )
+    figures = json.loads(text)
+    for name, of_vertices in zip(("ground_truth", "symmetric_ground_truth"), errors):
+        if of_vertices is not None:
+            figures[name].update(per_vertex=of_vertices, curve=error_curve(of_vertices))
+    return figures
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SynthShape:
     """A made-up creature in a pose. Entry i of the ground truths of two poses is a matching pair of
     vertices."""
@@ -323,8 +367,14 @@ class SynthShape:
     #: (5000) vertex of each template point's mirror image.
     symmetric_ground_truth: np.ndarray
 
+    def __repr__(self):
+        return (
+            f"<isomatch.SynthShape of {len(self.vertices)} vertices and {len(self.faces)} faces>"
+        )
+
 
 @takes_options("synth")
+@shows_progress
 def synthesize(
     *, threads: Optional[int] = None, progress: Progress = None, **options
 ) -> SynthShape:

@@ -15,7 +15,7 @@ from ._meshes import as_arrays
 from ._types import ArrayLike, MeshLike, PathLike
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class TexturedMesh:
     """A mesh and what its faces are covered with. It can be used as a mesh."""
 
@@ -32,6 +32,12 @@ class TexturedMesh:
     materials: List[str]
     #: (M) number of each face's material, -1 where it has none.
     face_material: np.ndarray
+
+    def __repr__(self):
+        return (
+            f"<isomatch.TexturedMesh of {len(self.vertices)} vertices, {len(self.faces)} faces and "
+            f"{len(self.materials)} materials>"
+        )
 
 
 def textured_parts(mesh):

@@ -5,38 +5,44 @@
 from __future__ import annotations
 
 import os
-from typing import NamedTuple, Optional, Union
+from typing import Optional, Union
 
 import numpy as np
 
 from . import _core
+from ._maps import Points, point_arrays
 from ._meshes import Shape, as_shape
 from ._options import check_options, takes_options
+from ._progress import shows_progress
 from ._textures import TexturedMesh, read_textured_mesh, textured_parts
 from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress
+from ._warnings import warn
 
 
-class Points(NamedTuple):
-    """Points on the triangles of a mesh, one a row; it can be given as a map."""
-
-    #: (K) the vertex nearest to each point, -1 where there is no point.
-    vertices: np.ndarray
-    #: (K) the face of each point, -1 where there is none.
-    triangles: np.ndarray
-    #: (K, 3) barycentric weights of that face's corners, 0 where there is none.
-    barycentric: np.ndarray
+def _whole_numbers_of_few_kinds(values):
+    """Whether floats look like labels."""
+    if values.dtype.kind != "f" or not np.array_equal(values, np.floor(values)):
+        return False
+    kinds = len(np.unique(values))
+    return 1 < kinds <= len(values) // 10
 
 
-def point_arrays(points):
-    """Vertices, or points on faces, as the core takes them."""
-    if hasattr(points, "triangles"):
-        return np.asarray(points.triangles), np.asarray(points.barycentric)
-    if isinstance(points, tuple) and len(points) == 2 and np.ndim(points[1]) == 2:
-        return tuple(np.asarray(array) for array in points)
-    return (np.asarray(points),)
+def _warn_of_type(values):
+    """Warns where the type of values (N) decides how they are carried, and they look otherwise."""
+    if _whole_numbers_of_few_kinds(values):
+        warn(
+            "these floats look like labels, but are interpolated: say transfer.labels(...) for "
+            "labels, transfer.values(...) for numbers"
+        )
+    elif values.dtype.kind in "iu" and len(np.unique(values)) > max(len(values) // 2, 10):
+        warn(
+            "these integers nearly all differ, but are carried as labels: say "
+            "transfer.values(...) for numbers, transfer.labels(...) for labels"
+        )
 
 
 @takes_options("inversion")
+@shows_progress
 def invert_map(
     source: MeshLike,
     target: MeshLike,
@@ -82,7 +88,7 @@ class Transfer:
     threads
         Number of threads, by default as many as the machine has. Results do not depend on it.
     progress
-        Called as `progress(fraction, stage)` with fraction in [0, 1].
+        True for a bar, or called as `progress(fraction, stage)` with fraction in [0, 1].
 
     Raises
     ------
@@ -94,6 +100,7 @@ class Transfer:
     source: Shape
     target: Shape
 
+    @shows_progress
     def __init__(
         self,
         source: MeshLike,
@@ -123,11 +130,36 @@ class Transfer:
         """(M) booleans: whether a target vertex lies on the source."""
         return self._maps[1][0] >= 0
 
+    def _warn_if_nothing_is_matched(self):
+        if not np.any(self.matched):
+            warn(
+                "no target vertex is matched, so nothing is carried over; a map by the paper's "
+                "method needs all its levels"
+            )
+
+    def __getstate__(self):
+        return self.source, self.target, self._maps
+
+    def __setstate__(self, state):
+        self.source, self.target, self._maps = state
+        self._core = _core.Transfer(self.source._core, self.target._core, *self._maps)
+
+    def __repr__(self):
+        vertices = len(self.target.vertices)
+        return (
+            f"<isomatch.Transfer from {len(self.source.vertices)} to {vertices} vertices, "
+            f"{np.count_nonzero(self.matched)} of which are matched>"
+        )
+
     def __call__(self, values: ArrayLike) -> np.ndarray:
-        """Carries integers of shape (N) as `labels` and everything else as `values`."""
+        """Carries integers of shape (N) as `labels` and everything else as `values`. The type
+        decides, not what the numbers are: floats that look like labels, and integers that nearly
+        all differ, are a `MatchWarning`. Say `labels` or `values` where it matters."""
         values = np.asarray(values)
-        if values.ndim == 1 and values.dtype.kind in "iub":
-            return self.labels(values)
+        if values.ndim == 1:
+            _warn_of_type(values)
+            if values.dtype.kind in "iub":
+                return self.labels(values)
         return self.values(values)
 
     def values(self, values: ArrayLike) -> np.ndarray:
@@ -137,12 +169,14 @@ class Transfer:
         values = np.asarray(values)
         if values.ndim == 0 or values.dtype.kind not in "fiub":
             raise ValueError("values: expected an array of numbers, a row for each source vertex")
+        self._warn_if_nothing_is_matched()
         rows = values.reshape(len(values), -1).astype(np.float64, copy=False)
         return self._core.values(rows).reshape(-1, *values.shape[1:])
 
     def labels(self, labels: ArrayLike) -> np.ndarray:
         """Integers (N), -1 for none: (M) labels for which the corners of the source face vote with
         their weights, -1 where unmatched. Labels are never mixed."""
+        self._warn_if_nothing_is_matched()
         labels = np.asarray(labels)
         return self._core.labels(labels.astype(np.int8) if labels.dtype.kind == "b" else labels)
 
@@ -158,6 +192,7 @@ class Transfer:
         return self._core.skin(np.asarray(weights))
 
     @takes_options("poses")
+    @shows_progress
     def poses(
         self,
         frames: ArrayLike,

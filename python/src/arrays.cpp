@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,7 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
+using Floats = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
 std::string shape_of(const py::array& array) {
@@ -28,6 +30,17 @@ void check_shape(const py::array& array, std::string_view name, int columns) {
   if (columns != 0 && (array.ndim() != 2 || array.shape(1) != columns))
     throw InvalidInput(
         fmt::format("{}: expected shape (N, {}), not ({})", name, columns, shape_of(array)));
+}
+
+/// Whether all numbers are whole, of whatever type: text files and MATLAB give floats.
+bool holds_integers(const py::array& array) {
+  const char kind = array.dtype().kind();
+  if (kind != 'f') return kind == 'i' || kind == 'u' || array.size() == 0;
+  const Floats values(array);
+  return std::all_of(values.data(), values.data() + values.size(), [](double value) {
+    return std::abs(value) <= std::numeric_limits<std::int32_t>::max() &&
+           std::floor(value) == value;
+  });
 }
 
 int to_int(std::int64_t value, std::string_view name) {
@@ -90,10 +103,7 @@ py::dict to_dict(const Mesh& mesh, SurfaceMap points) {
 
 std::vector<int> to_integers(const py::array& array, std::string_view name, int columns) {
   check_shape(array, name, columns);
-  const char kind = array.dtype().kind();
-  // An empty list is an array of floats.
-  if (kind != 'i' && kind != 'u' && array.size() > 0)
-    throw InvalidInput(fmt::format("{}: expected integers", name));
+  if (!holds_integers(array)) throw InvalidInput(fmt::format("{}: expected integers", name));
   const Integers integers(array);
   std::vector<int> result;
   result.reserve(static_cast<std::size_t>(integers.size()));

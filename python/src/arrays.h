@@ -48,8 +48,9 @@ std::pair<pybind11::array_t<int>, pybind11::array_t<double>> to_arrays(SurfaceMa
 /// Points on a mesh: `triangles` and `barycentric` as above, and the nearest `vertices`.
 pybind11::dict to_dict(const Mesh& mesh, SurfaceMap points);
 
-/// Integers of any width and shape (N) or, if `columns` is given, (N, columns), row by row. Throws
-/// `InvalidInput` that begins with `name` for another shape, another type, or a number beyond int.
+/// Integers of any width, or floats that are whole, of shape (N) or, if `columns` is given, (N,
+/// columns), row by row. Throws `InvalidInput` that begins with `name` for another shape, another
+/// type, or a number beyond int.
 std::vector<int> to_integers(const pybind11::array& array, std::string_view name, int columns = 0);
 
 /// Numbers of any type and shape (N, columns), or with any number of columns if it is not given.

@@ -18,6 +18,8 @@ void bind_textures(pybind11::module_& module);
 void bind_synth(pybind11::module_& module);
 void bind_tracked(pybind11::module_& module);
 void bind_paper(pybind11::module_& module);
+void bind_maps(pybind11::module_& module);
+void bind_folder(pybind11::module_& module);
 void bind_page(pybind11::module_& module);
 
 }  // namespace isomatch::python

@@ -16,9 +16,10 @@ cli::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files) 
   files.insert(files.end(), saved.arrays.begin(), saved.arrays.end());
   if (saved.page) files.emplace_back(cli::kPage);
   cli::ResultPlan plan{saved.folder, std::move(files), {}, saved.arrays};
-  for (const auto& [mesh, array] :
-       {std::pair(saved.source, "source.ply"), {saved.target, "target.ply"}})
-    if (std::ranges::count(saved.arrays, array) == 0) plan.inputs.add(mesh);
+  for (const auto& [input, array] : {std::pair(saved.source, "source.ply"),
+                                     {saved.target, "target.ply"},
+                                     {saved.landmarks, "landmarks.txt"}})
+    if (!input.empty() && std::ranges::count(saved.arrays, array) == 0) plan.inputs.add(input);
   return plan;
 }
 

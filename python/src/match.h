@@ -20,7 +20,7 @@ namespace isomatch::python {
 struct SavedAs {
   /// Where, and where it finds its meshes and landmarks; empty for no landmarks.
   std::string folder, source, target, landmarks;
-  /// Of these, what is in the folder since it was given as arrays.
+  /// Of these, what is in the folder because it was given as arrays.
   std::vector<std::string> arrays;
   bool target_to_source = false, page = false;
 };
@@ -33,8 +33,8 @@ void check_save(const SavedAs& saved, std::vector<std::string> files);
 
 /// Options of a run as they go into its report.
 template <class Options>
-cli::Json report_options(const std::string& method, const Options& options) {
-  cli::Json json = cli::options_json(method, 0);
+cli::Json report_options(const std::string& method, unsigned long seed, const Options& options) {
+  cli::Json json = cli::options_json(method, seed);
   cli::add_options(json, options);
   return json;
 }

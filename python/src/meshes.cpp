@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "arrays.h"
 #include "bindings.h"
 #include "isomatch/mesh_io.h"
@@ -30,6 +33,23 @@ std::shared_ptr<PreparedMesh> make_shape(const py::array& vertices, const py::ar
   return run(how, [&](const Context&) {
     return std::make_shared<PreparedMesh>(std::move(mesh), geodesics);
   });
+}
+
+/// What reading the file told; with path and arrays it makes the shape anew.
+py::tuple read_report(const PreparedMesh& mesh) {
+  const auto& [polygons, merged, warnings, names] = mesh.input().read_report;
+  return py::make_tuple(polygons, merged, warnings, names);
+}
+
+std::shared_ptr<PreparedMesh> restore_shape(const std::string& path, const py::array& vertices,
+                                            const py::array& faces, const py::tuple& report,
+                                            const std::string& geodesics) {
+  Mesh mesh = to_mesh(vertices, faces);
+  const MeshReadReport read{report[0].cast<int>(), report[1].cast<int>(),
+                            report[2].cast<std::vector<std::string>>(),
+                            report[3].cast<std::vector<std::string>>()};
+  const py::gil_scoped_release release;
+  return std::make_shared<PreparedMesh>(path, std::move(mesh), read, geodesics);
 }
 
 double max_geodesic(const PreparedMesh& mesh) {
@@ -85,10 +105,21 @@ void bind_meshes(py::module_& module) {
             warnings.insert(warnings.end(), defects.begin(), defects.end());
             return warnings;
           })
+      .def_property_readonly("urgent_warnings",
+                             [](const PreparedMesh& shape) {
+                               std::vector<std::string> warnings =
+                                   shape.input().read_report.warnings;
+                               std::ranges::copy(shape.input().diagnosis.grave_warnings(),
+                                                 std::back_inserter(warnings));
+                               return warnings;
+                             })
+      .def_property_readonly("read_report", read_report)
       .def("diagnosis_json",
            [](const PreparedMesh& shape) { return cli::to_json(shape.input().diagnosis).dump(); });
   module.def("load_shape", load_shape);
   module.def("make_shape", make_shape);
+  module.def("restore_shape", restore_shape, py::arg("path"), py::arg("vertices"), py::arg("faces"),
+             py::arg("read_report"), py::arg("geodesics"));
   module.def("read_mesh", read);
   module.def("write_mesh", write);
 }

@@ -15,6 +15,7 @@
 #include "options.h"
 #include "prepared.h"
 #include "run.h"
+#include "vertex_errors.h"
 
 namespace py = pybind11;
 
@@ -47,10 +48,20 @@ cli::MeasuredMap to_map(const PreparedMesh& source, const PreparedMesh& target,
   return {pairs_on_surfaces(source, target, to_matches(map[0].cast<py::array>(), "matches")), {}};
 }
 
-std::string evaluate_json(const PreparedMesh& source, const PreparedMesh& target,
-                          const py::tuple& map, const py::tuple& truth,
-                          const py::dict& truth_keywords, const py::dict& distortion_keywords,
-                          const RunOptions& how) {
+/// The error of each source vertex against a truth, None without one.
+py::object errors_of(const PreparedMesh& source, const PreparedMesh& target,
+                     const cli::MeasuredMap& map, const std::vector<int>& at_source,
+                     const std::vector<int>& at_target, const RunOptions& how) {
+  if (at_target.empty()) return py::none();
+  return adopt(run(how, [&](const Context& context) {
+    return vertex_errors(source, target, map, at_source, at_target, context);
+  }));
+}
+
+/// All figures as JSON and, `per_vertex`, the errors of source vertices against both truths.
+py::tuple evaluate(const PreparedMesh& source, const PreparedMesh& target, const py::tuple& map,
+                   const py::tuple& truth, bool per_vertex, const py::dict& truth_keywords,
+                   const py::dict& distortion_keywords, const RunOptions& how) {
   const cli::EvaluationOptions options{to_options<TruthOptions>(truth_keywords),
                                        to_options<DistortionOptions>(distortion_keywords)};
   const cli::TruthVertices vertices{to_integers(truth[0].cast<py::array>(), "source truth"),
@@ -61,7 +72,12 @@ std::string evaluate_json(const PreparedMesh& source, const PreparedMesh& target
     return cli::evaluate(source.shape(context), target.shape(context), measured, vertices, options,
                          context);
   });
-  return cli::to_json(evaluation).dump();
+  const std::string json = cli::to_json(evaluation).dump();
+  if (!per_vertex) return py::make_tuple(json, py::none(), py::none());
+  const auto errors = [&](const std::vector<int>& at_target) {
+    return errors_of(source, target, measured, vertices.source, at_target, how);
+  };
+  return py::make_tuple(json, errors(vertices.target), errors(vertices.symmetric_target));
 }
 
 /// `values` of `measured` matches between surface vertices, for each of `pairs` of input vertices.
@@ -109,7 +125,7 @@ void bind_metrics(py::module_& module) {
   register_options<TruthOptions>(module, "truth");
   register_options<DistortionOptions>(module, "distortion");
   register_options<OrientationOptions>(module, "orientation");
-  module.def("evaluate", evaluate_json);
+  module.def("evaluate", evaluate);
   module.def("read_vts", [](const std::string& path) {
     return adopt(read_vts(path, std::numeric_limits<int>::max() - 1));
   });

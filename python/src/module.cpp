@@ -39,5 +39,7 @@ PYBIND11_MODULE(_core, module) {
   bind_synth(module);
   bind_tracked(module);
   bind_paper(module);
+  bind_maps(module);
+  bind_folder(module);
   bind_page(module);
 }

@@ -5,12 +5,22 @@
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <string>
 
 #include "isomatch/option_fields.h"
+#include "match/option_names.h"
 
-/// Options of the library as keywords, derived from `for_each_option`.
+/// Options of the library as keywords, derived from `for_each_option`, under the names that the
+/// command line has for them.
 namespace isomatch::python {
+
+/// The keyword of a field.
+inline std::string keyword(const char* field) {
+  std::string name = cli::option_name(field);
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
 
 /// An option's value in Python: words for enumerations, otherwise the value itself.
 template <class Value>
@@ -50,9 +60,10 @@ template <class Options>
 Options to_options(const pybind11::dict& keywords) {
   Options options;
   std::size_t used = 0;
-  for_each_option(options, [&](const char* name, auto& value, const char*) {
+  for_each_option(options, [&](const char* field, auto& value, const char*) {
+    const std::string name = keyword(field);
     if (!keywords.contains(name)) return;
-    set_option(name, keywords[name], value);
+    set_option(name.c_str(), keywords[name.c_str()], value);
     ++used;
   });
   if (used != keywords.size()) throw pybind11::type_error("unknown option");
@@ -65,8 +76,8 @@ template <class Options>
 pybind11::list describe_options() {
   pybind11::list list;
   const Options defaults{};
-  for_each_option(defaults, [&](const char* name, const auto& value, const char* meaning) {
-    list.append(pybind11::make_tuple(name, to_python(value), meaning));
+  for_each_option(defaults, [&](const char* field, const auto& value, const char* meaning) {
+    list.append(pybind11::make_tuple(keyword(field), to_python(value), meaning));
   });
   return list;
 }

@@ -11,6 +11,7 @@
 #include "prepared.h"
 #include "result/result.h"
 #include "run.h"
+#include "state.h"
 
 namespace py = pybind11;
 
@@ -22,12 +23,12 @@ using cli::PaperRun;
 const char* const kMethod = "paper";
 
 PaperRun match(const PreparedMesh& source, const PreparedMesh& target, const std::string& geodesics,
-               const py::dict& keywords, const RunOptions& how) {
+               unsigned long seed, const py::dict& keywords, const RunOptions& how) {
   const auto options = to_options<PaperOptions>(keywords);
   PaperResult result = run(how, [&](const Context& context) {
     return match_paper(source.shape(context), target.shape(context), options, context);
   });
-  cli::Json json = report_options(kMethod, options);
+  cli::Json json = report_options(kMethod, seed, options);
   json["geodesics"] = geodesics;
   // Shapes are prepared by now.
   const Shape& source_shape = source.shape({});
@@ -88,7 +89,7 @@ std::vector<std::string> files_of(const PaperRun& run) {
 
 void save(PaperRun& run, const SavedAs& saved) {
   // Not the default method.
-  cli::Json defaults = report_options("tracked", PaperOptions{});
+  cli::Json defaults = report_options("tracked", 0, PaperOptions{});
   defaults["geodesics"] = "w20";
   rename(run.inputs, saved, command_line(saved, run.options, defaults));
   const py::gil_scoped_release release;
@@ -114,7 +115,9 @@ void bind_paper(py::module_& module) {
                              [](const PaperRun& run) { return to_dict(run.result.times); })
       .def("check_save",
            [](const PaperRun& run, const SavedAs& saved) { check_save(saved, files_of(run)); })
-      .def("save", save);
+      .def("save", save)
+      .def_property_readonly("state", [](const PaperRun& run) { return to_state(run); });
+  module.def("paper_of_state", to_paper);
   module.def("match_paper", match);
 }
 

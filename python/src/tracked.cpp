@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/tracked.h"
 
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
 #include "arrays.h"
 #include "bindings.h"
 #include "match.h"
@@ -10,25 +13,25 @@
 #include "options.h"
 #include "prepared.h"
 #include "run.h"
+#include "state.h"
 
 namespace py = pybind11;
 
 namespace isomatch::python {
 namespace {
 
-using cli::TrackedRun;
-
 const char* const kMethod = "tracked";
 
-TrackedRun match(const PreparedMesh& source, const PreparedMesh& target, const py::array& landmarks,
-                 const py::dict& keywords, const RunOptions& how) {
+TrackedMatch match(const PreparedMesh& source, const PreparedMesh& target,
+                   const py::array& landmarks, unsigned long seed, const py::dict& keywords,
+                   const RunOptions& how) {
   auto options = to_options<TrackedOptions>(keywords);
   cli::MatchInputs inputs = to_inputs(source, target);
   options.landmarks = cli::surface_landmarks(inputs, to_matches(landmarks, "landmarks"));
   TrackedResult result = run(how, [&](const Context& context) {
     return match_tracked(source.surface(), target.surface(), options, context);
   });
-  return {std::move(inputs), report_options(kMethod, options), std::move(result)};
+  return {{std::move(inputs), report_options(kMethod, seed, options), std::move(result)}};
 }
 
 /// A map from one mesh onto another in both forms.
@@ -47,12 +50,12 @@ py::dict figures(const TrackedMap& map) {
   return result;
 }
 
-py::array_t<double> registered(const TrackedRun& run, const TrackedMap& map) {
+py::array_t<double> registered(const TrackedMatch& run, const TrackedMap& map) {
   const cli::MatchInput& source = run.inputs.source;
   return to_array(input_pose(source.mesh, source.surface, map.registered).vertices);
 }
 
-py::list hypotheses(const TrackedRun& run) {
+py::list hypotheses(const TrackedMatch& run) {
   py::list result;
   for (const HypothesisSummary& hypothesis : run.result.hypotheses)
     result.append(
@@ -60,17 +63,30 @@ py::list hypotheses(const TrackedRun& run) {
   return result;
 }
 
-std::vector<std::string> files_of(const TrackedRun& run, const SavedAs& saved) {
+/// What makes the map doubtful besides the meshes themselves.
+std::vector<std::string> doubts(const TrackedMatch& run) {
+  std::vector<std::string> list;
+  if (!cli::is_clear(run) && !cli::has_grave_defects(run.inputs))
+    list.push_back(
+        fmt::format("the choice among maps is ambiguous, confidence {:.2f}: the second "
+                    "best map differs and is nearly as good",
+                    run.result.confidence));
+  if (!run.result.oriented && !run.options.value("allow-reflection", false))
+    list.emplace_back("a surface does not tell outside from inside: the map may be mirrored");
+  return list;
+}
+
+std::vector<std::string> files_of(const TrackedMatch& run, const SavedAs& saved) {
   return cli::tracked_files(static_cast<int>(run.result.maps.size()) - 1, saved.target_to_source);
 }
 
-void save(TrackedRun& run, const SavedAs& saved) {
+void save(TrackedMatch& run, const SavedAs& saved) {
   run.options.erase("landmarks_escaped");
   run.options["landmarks"] = cli::Json();
   if (!saved.landmarks.empty()) cli::set_path(run.options, "landmarks", saved.landmarks);
   run.options["target-to-source"] = saved.target_to_source;
   run.target_to_source = saved.target_to_source;
-  cli::Json defaults = report_options(kMethod, TrackedOptions{});
+  cli::Json defaults = report_options(kMethod, 0, TrackedOptions{});
   defaults["landmarks"] = cli::Json();
   defaults["target-to-source"] = false;
   rename(run.inputs, saved, command_line(saved, run.options, defaults));
@@ -82,36 +98,41 @@ void save(TrackedRun& run, const SavedAs& saved) {
 
 void bind_tracked(py::module_& module) {
   register_options<TrackedOptions>(module, kMethod);
-  py::class_<TrackedRun>(module, "TrackedRun")
+  py::class_<TrackedMatch>(module, "TrackedMatch")
       .def_property_readonly("num_maps",
-                             [](const TrackedRun& run) { return run.result.maps.size(); })
+                             [](const TrackedMatch& run) { return run.result.maps.size(); })
       .def("points",
-           [](const TrackedRun& run, std::size_t k) {
+           [](const TrackedMatch& run, std::size_t k) {
              return map_dict(run.inputs.source, run.inputs.target,
                              run.result.maps.at(k).source_to_target);
            })
       .def("inverse_points",
-           [](const TrackedRun& run, std::size_t k) {
+           [](const TrackedMatch& run, std::size_t k) {
              return map_dict(run.inputs.target, run.inputs.source,
                              run.result.maps.at(k).target_to_source);
            })
-      .def("registered", [](const TrackedRun& run,
+      .def("registered", [](const TrackedMatch& run,
                             std::size_t k) { return registered(run, run.result.maps.at(k)); })
       .def("figures",
-           [](const TrackedRun& run, std::size_t k) { return figures(run.result.maps.at(k)); })
+           [](const TrackedMatch& run, std::size_t k) { return figures(run.result.maps.at(k)); })
       .def("correspondence",
-           [](const TrackedRun& run) {
+           [](const TrackedMatch& run) {
              return to_array(cli::input_matches(run.inputs, run.result.maps.front()));
            })
       .def_property_readonly("hypotheses", hypotheses)
+      .def_property_readonly("doubts", doubts)
+      .def_property_readonly("has_inverse", [](const TrackedMatch& run) { return run.has_inverse; })
       .def_property_readonly("confidence",
-                             [](const TrackedRun& run) { return run.result.confidence; })
-      .def_property_readonly("oriented", [](const TrackedRun& run) { return run.result.oriented; })
+                             [](const TrackedMatch& run) { return run.result.confidence; })
+      .def_property_readonly("oriented",
+                             [](const TrackedMatch& run) { return run.result.oriented; })
       .def_property_readonly("seconds",
-                             [](const TrackedRun& run) { return to_dict(run.result.times); })
-      .def("check_save", [](const TrackedRun& run,
+                             [](const TrackedMatch& run) { return to_dict(run.result.times); })
+      .def("check_save", [](const TrackedMatch& run,
                             const SavedAs& saved) { check_save(saved, files_of(run, saved)); })
-      .def("save", save);
+      .def("save", save)
+      .def_property_readonly("state", [](const TrackedMatch& run) { return to_state(run); });
+  module.def("tracked_of_state", to_tracked);
   module.def("match_tracked", match);
 }
 

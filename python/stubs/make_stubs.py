@@ -21,7 +21,16 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
-from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress, TruthLike
+from ._types import (
+    ArrayLike,
+    Geodesics,
+    MapLike,
+    MeshLike,
+    Method,
+    PathLike,
+    Progress,
+    TruthLike,
+)
 
 __version__: str
 '''
@@ -93,7 +102,8 @@ def class_text(name, owner):
         for key, member in vars(owner).items()
         if is_public(key, member, owner)
     )
-    return f"class {name}{bases}:\n{attributes}{members}"
+    body = attributes + members or "    ...\n"
+    return f"class {name}{bases}:\n{body}"
 
 
 def stubs():

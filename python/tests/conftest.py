@@ -26,7 +26,7 @@ def tracked(pose1, pose2):
 
 @pytest.fixture(scope="session")
 def paper(pose1, pose2):
-    return isomatch.match(pose1, pose2, method="paper", max_levels=4)
+    return isomatch.match(pose1, pose2, method="paper", levels=4)
 
 
 @pytest.fixture(scope="session")

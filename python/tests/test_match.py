@@ -108,7 +108,7 @@ def test_tracked_saves_what_the_program_writes(files, program, tmp_path):
 
 def test_paper_saves_what_the_program_writes(files, program, tmp_path):
     pair = files / "source.off", files / "target.ply"
-    isomatch.match(*pair, method="paper", max_levels=3, full_share=0.8).save(tmp_path / "ours")
+    isomatch.match(*pair, method="paper", levels=3, full_share=0.8).save(tmp_path / "ours")
     program(
         "match", *pair, "-o", tmp_path / "theirs",
         "--method", "paper", "--levels", 3, "--full-share", 0.8,
@@ -187,8 +187,8 @@ def test_without_the_page_a_notebook_shows_a_line(tracked, monkeypatch):
     "keywords, error, message",
     [
         ({"method": "magic"}, ValueError, "method: expected 'tracked' or 'paper', not 'magic'"),
-        ({"max_levels": 3}, TypeError, "unexpected keyword argument 'max_levels'"),
-        ({"method": "paper", "max_levels": -1}, ValueError, "levels"),
+        ({"levels": 3}, TypeError, "no option 'levels': it is one of the paper's method"),
+        ({"method": "paper", "levels": -1}, ValueError, "levels"),
         ({"method": "paper", "landmarks": [[0, 0]]}, ValueError, "landmarks"),
         ({"alternatives": -1}, ValueError, "alternatives"),
         ({"alternatives": "two"}, TypeError, "alternatives: expected int, not 'two'"),

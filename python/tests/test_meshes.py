@@ -66,7 +66,7 @@ def test_vertices_off_the_surface(sheet):
         (np.eye(3), [0, 1, 2], r"faces: expected shape \(N, 3\), not \(3\)"),
         (np.eye(3), [[0, 1, 3]], "3"),
         (np.eye(3), [[0, 1, 2**40]], "faces: 1099511627776 is out of range"),
-        (np.eye(3), [[0.0, 1.0, 2.0]], "faces: expected integers"),
+        (np.eye(3), [[0.0, 1.0, 1.5]], "faces: expected integers"),
         (np.full((3, 3), np.nan), [[0, 1, 2]], "no face of positive area"),
         (np.array([["a"] * 3] * 3), [[0, 1, 2]], "vertices: expected numbers"),
         (np.zeros((3, 3)), [[0, 1, 2]], "area"),

@@ -23,7 +23,7 @@ def test_options_have_the_names_and_defaults_of_the_program(files, program, tmp_
             assert parameters[name.replace("-", "_")].default == value, name
             found.add(name)
     assert len(found) > 18
-    assert parameters["max_levels"].default == 100 and parameters["refinement"].default is True
+    assert parameters["levels"].default == 100 and parameters["refinement"].default is True
 
 
 def test_every_parameter_is_described():

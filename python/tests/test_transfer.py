@@ -222,7 +222,7 @@ def test_the_program_carries_the_same(tracked, program, tmp_path, pose1):
         (lambda t: t(np.zeros(5)), "5 values for 441 source vertices"),
         (lambda t: t(np.zeros(5, int)), "5 values for 441 source vertices"),
         (lambda t: t("values"), "expected an array of numbers"),
-        (lambda t: t.labels(np.zeros(441)), "labels: expected integers"),
+        (lambda t: t.labels(np.full(441, 0.5)), "labels: expected integers"),
         (lambda t: t.landmarks([441]), "landmarks: vertex 441 is out of range"),
         (lambda t: t.skin(np.zeros(441)), "weights: expected two dimensions"),
         (lambda t: t.skin(np.full((441, 2), -1)), "skinning weight -1"),

@@ -45,11 +45,9 @@ std::string alternative_folder(std::size_t number) {
 }
 
 Json map_json(const TrackedMap& map) {
-  return {{"energy", map.energy},
-          {"distance", map.distance},
-          {"deviation", map.deviation},
-          {"distortion", map.distortion},
-          {"orientation", map.orientation}};
+  return {{"energy", map.energy},           {"distance", map.distance},
+          {"deviation", map.deviation},     {"distortion", map.distortion},
+          {"orientation", map.orientation}, {"mirrored", map.mirrored}};
 }
 
 Json alternatives_json(const std::vector<TrackedMap>& maps) {

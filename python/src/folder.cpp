@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "folder.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "isomatch/error.h"
+#include "isomatch/map_io.h"
+#include "isomatch/metrics.h"
+#include "page/levels.h"
+#include "result/written_files.h"
+
+namespace fs = std::filesystem;
+namespace py = pybind11;
+
+namespace isomatch::python {
+namespace {
+
+using cli::Json;
+using cli::MatchInput;
+using cli::MatchResult;
+
+bool has_own_file(const std::string& folder, const std::string& name) {
+  const std::vector<std::string> files = cli::written_files(folder, cli::Listing::kOfMatch);
+  return std::ranges::count(files, name) > 0 && fs::exists(fs::path(folder) / name);
+}
+
+/// What `read` makes of the report; a field that is missing or of another type is a `BadFile`.
+template <class Read>
+auto from_report(const MatchResult& folder, const Read& read) {
+  try {
+    return read(folder.report);
+  } catch (const Json::exception& error) {
+    throw BadFile(folder.path(cli::kReport),
+                  fmt::format("is not the report of a match: {}", error.what()));
+  }
+}
+
+/// All stages but the writing of the folder.
+std::vector<StageTime> times_of(const Json& report) {
+  std::vector<StageTime> times;
+  const Json peaks = report.value("peak_memory_mib_after", Json::object());
+  for (const auto& [stage, seconds] : report.at("seconds").items())
+    if (stage != "writing")
+      times.push_back({stage, seconds.get<double>(), peaks.value(stage, 0.0)});
+  return times;
+}
+
+/// The inverse as far as a relation of vertices tells it.
+SurfaceMap inverse_of(const MatchResult& folder, const MatchInput& source,
+                      const MatchInput& target) {
+  const Correspondence relation = read_correspondence(
+      folder.path("correspondence.txt"), {source.mesh.num_vertices(), target.mesh.num_vertices()});
+  VertexMap target_to_source(target.surface.num_vertices(), kUnmatched);
+  for (const Match& match : surface_matches(source.surface, target.surface, relation))
+    target_to_source[match.target] = match.source;
+  return corner_points(source.surface.mesh, target_to_source);
+}
+
+std::string inverse_file(const MatchResult& folder, const cli::ResultMap& map) {
+  return folder.path((fs::path(map.folder) / "target_to_source.bary.txt").string());
+}
+
+SurfaceMap read_inverse(const std::string& file, const MatchInput& source,
+                        const MatchInput& target) {
+  const SurfaceMap points =
+      read_surface_map(file, {target.mesh.num_vertices(), source.mesh.num_faces()});
+  return surface_map(target.surface, source.surface, points);
+}
+
+std::vector<Point> registered_of(const MatchResult& folder, const cli::ResultMap& map,
+                                 const Surface& source) {
+  if (map.registered.empty())
+    throw BadFile(folder.path((fs::path(map.folder) / "registered.ply").string()), "is missing");
+  std::vector<Point> positions;
+  for (const int vertex : source.input_vertex) positions.push_back(map.registered[vertex]);
+  return positions;
+}
+
+TrackedMap to_map(const MatchResult& folder, const cli::MatchInputs& inputs, std::size_t number,
+                  bool has_inverse) {
+  const MatchInput &source = inputs.source, &target = inputs.target;
+  const cli::ResultMap& from = folder.maps[number];
+  TrackedMap map;
+  map.source_to_target = surface_map(source.surface, target.surface, from.points);
+  map.registered = registered_of(folder, from, source.surface);
+  if (has_inverse)
+    map.target_to_source = read_inverse(inverse_file(folder, from), source, target);
+  else if (number == 0)
+    map.target_to_source = inverse_of(folder, source, target);
+  else
+    map.target_to_source.resize(target.surface.num_vertices());
+  from_report(folder, [&](const Json& report) {
+    const Json& figures = number == 0 ? report.at("map") : report.at("alternatives").at(number - 1);
+    map.energy = figures.at("energy");
+    map.distance = figures.at("distance");
+    map.deviation = figures.at("deviation");
+    map.distortion = figures.at("distortion");
+    map.orientation = figures.at("orientation");
+    map.mirrored = figures.value("mirrored", false);
+    return 0;
+  });
+  return map;
+}
+
+TrackedResult figures_of(const Json& report) {
+  TrackedResult result;
+  for (const Json& hypothesis : report.at("hypotheses"))
+    result.hypotheses.push_back({hypothesis.at("distortion"), hypothesis.at("orientation"),
+                                 hypothesis.at("coarse_energy")});
+  result.confidence = report.at("confidence");
+  result.oriented = report.at("oriented");
+  result.times = times_of(report);
+  return result;
+}
+
+/// Numbers bases in the order in which they are added.
+class Bases {
+ public:
+  explicit Bases(const Surface& surface)
+      : surface_(surface), number_(surface.num_vertices(), kNoVertex) {}
+
+  /// Adds those of these input vertices that are new.
+  void add(std::vector<int> vertices) {
+    std::ranges::sort(vertices);
+    for (const int vertex : vertices) {
+      int& number = number_[on_surface(vertex)];
+      if (number != kNoVertex) continue;
+      number = count();
+      bases_.push_back(on_surface(vertex));
+    }
+  }
+  int number(int input_vertex) const { return number_[on_surface(input_vertex)]; }
+  int count() const { return static_cast<int>(bases_.size()); }
+  const std::vector<int>& vertices() const { return bases_; }
+
+ private:
+  int on_surface(int input_vertex) const {
+    const int vertex = surface_.surface_vertex[input_vertex];
+    if (vertex == kNoVertex)
+      throw InvalidInput(
+          fmt::format("base vertex {} is not on the surface that is matched", input_vertex));
+    return vertex;
+  }
+
+  const Surface& surface_;
+  std::vector<int> number_, bases_;
+};
+
+cli::MeasuredMatches numbered(const cli::MeasuredMatches& matches, const Bases& sources,
+                              const Bases& targets) {
+  std::vector<std::pair<Match, double>> pairs;
+  for (std::size_t m = 0; m < matches.matches.size(); ++m) {
+    const auto& [source, target] = matches.matches[m];
+    pairs.push_back({{sources.number(source), targets.number(target)}, matches.distortion[m]});
+  }
+  std::ranges::sort(pairs);
+  // Copies of a vertex on a seam.
+  const auto repeated = std::ranges::unique(pairs, {}, &std::pair<Match, double>::first);
+  pairs.erase(repeated.begin(), repeated.end());
+  cli::MeasuredMatches result;
+  for (const auto& [match, distortion] : pairs) {
+    result.matches.push_back(match);
+    result.distortion.push_back(distortion);
+  }
+  return result;
+}
+
+std::vector<int> vertices_of(const Correspondence& matches, int Match::*side) {
+  std::vector<int> vertices;
+  for (const Match& match : matches) vertices.push_back(match.*side);
+  return vertices;
+}
+
+PaperLevel to_level(const cli::ResultLevel& from, const Json& figures, Bases& sources,
+                    Bases& targets) {
+  sources.add(vertices_of(from.many_to_many.matches, &Match::source));
+  targets.add(vertices_of(from.many_to_many.matches, &Match::target));
+  cli::MeasuredMatches matches = numbered(from.many_to_many, sources, targets);
+  cli::MeasuredMatches many_to_one = numbered(from.many_to_one, sources, targets);
+  if (std::cmp_not_equal(many_to_one.matches.size(), sources.count()) ||
+      std::ranges::count(many_to_one.matches, kNoVertex, &Match::target) > 0)
+    throw InvalidInput("a level's many-to-one matches are not those of its bases");
+  PaperLevel level;
+  level.source_radius = figures.at("source_radius");
+  level.target_radius = figures.at("target_radius");
+  level.source_bases = sources.count();
+  level.target_bases = targets.count();
+  level.many_to_one = vertices_of(many_to_one.matches, &Match::target);
+  level.many_to_one_distortion = std::move(many_to_one.distortion);
+  level.matches = std::move(matches.matches);
+  level.distortion = std::move(matches.distortion);
+  level.outliers_moved = figures.at("outliers_moved");
+  return level;
+}
+
+Json level_figures(const MatchResult& folder, std::size_t levels) {
+  const std::string path = folder.path("levels.json");
+  std::ifstream file(path);
+  if (!file) throw BadFile(path, "cannot be opened");
+  Json figures = Json::parse(file, nullptr, false);
+  if (!figures.is_array() || figures.size() != levels || levels == 0)
+    throw BadFile(path, "does not list the levels of the match");
+  return figures;
+}
+
+std::vector<PaperLevel> levels_of(const MatchResult& folder, Bases& sources, Bases& targets) {
+  const std::vector<cli::ResultLevel> files = cli::load_levels(folder);
+  const Json figures = level_figures(folder, files.size());
+  std::vector<PaperLevel> levels;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    try {
+      levels.push_back(to_level(files[k], figures[k], sources, targets));
+    } catch (const InvalidInput& error) {
+      throw BadFile(folder.path(fmt::format("levels/{:02}", k)), error.what());
+    } catch (const Json::exception& error) {
+      throw BadFile(folder.path("levels.json"), error.what());
+    }
+  }
+  return levels;
+}
+
+VertexMap surface_vertices(const Surface& source, const Surface& target, const VertexMap& map) {
+  VertexMap result;
+  for (const int vertex : source.input_vertex)
+    result.push_back(map[vertex] == kUnmatched ? kUnmatched : target.surface_vertex[map[vertex]]);
+  return result;
+}
+
+/// Where the landmarks are: in the folder, or where they were when the match was run.
+std::string landmark_file(const MatchResult& folder) {
+  return from_report(folder, [&](const Json& report) -> std::string {
+    const Json& options = report.at("options");
+    if (!options.contains("landmarks") || options["landmarks"].is_null()) return {};
+    if (has_own_file(folder.folder, "landmarks.txt")) return folder.path("landmarks.txt");
+    const std::string given = cli::get_path(options, "landmarks");
+    return fs::exists(given) ? given
+                             : (fs::path(cli::get_path(report, "working_folder")) / given).string();
+  });
+}
+
+std::string method_of(const MatchResult& folder) {
+  const std::string method = folder.report["options"]["method"];
+  if (method != "tracked" && method != "paper")
+    throw BadFile(folder.path(cli::kReport), "has a method that is not known: " + method);
+  return method;
+}
+
+std::string geodesics_of(const MatchResult& folder) {
+  return from_report(folder, [](const Json& report) {
+    return report.at("options").value("geodesics", std::string("w20"));
+  });
+}
+
+}  // namespace
+
+MatchResult load_folder(const std::string& folder, cli::MeshPlaces places) {
+  for (auto& [place, name] : {std::pair<std::string&, const char*>(places.source, "source.ply"),
+                              std::pair<std::string&, const char*>(places.target, "target.ply")}) {
+    if (place.empty() && has_own_file(folder, name)) place = (fs::path(folder) / name).string();
+  }
+  return cli::load_result(folder, places);
+}
+
+std::vector<Match> landmarks_of(const MatchResult& folder) {
+  const std::string file = landmark_file(folder);
+  if (file.empty() || !fs::exists(file)) return {};
+  return read_landmarks(file, {folder.source.num_vertices(), folder.target.num_vertices()});
+}
+
+TrackedMatch tracked_of(const MatchResult& folder, const PreparedMesh& source,
+                        const PreparedMesh& target) {
+  cli::MatchInputs inputs = to_inputs(source, target);
+  const bool has_inverse = fs::exists(inverse_file(folder, folder.maps.front()));
+  TrackedResult result = from_report(folder, figures_of);
+  for (std::size_t k = 0; k < folder.maps.size(); ++k)
+    result.maps.push_back(to_map(folder, inputs, k, has_inverse));
+  return {{std::move(inputs), folder.report.at("options"), std::move(result)}, has_inverse};
+}
+
+cli::PaperRun paper_of(const MatchResult& folder, const PreparedMesh& source,
+                       const PreparedMesh& target) {
+  Bases sources(source.surface()), targets(target.surface());
+  PaperResult result;
+  result.levels = levels_of(folder, sources, targets);
+  result.source_bases = sources.vertices();
+  result.target_bases = targets.vertices();
+  result.source_to_target =
+      surface_vertices(source.surface(), target.surface(), folder.maps.front().source_to_target);
+  std::array<double, 2> max_geodesics{};
+  from_report(folder, [&](const Json& report) {
+    result.complete = report.at("complete");
+    result.times = times_of(report);
+    max_geodesics = {report.at("source").at("max_geodesic"),
+                     report.at("target").at("max_geodesic")};
+    return 0;
+  });
+  return {to_inputs(source, target), folder.report.at("options"), std::move(result), max_geodesics};
+}
+
+void bind_folder(py::module_& module) {
+  py::class_<MatchResult>(module, "Folder")
+      .def(py::init(
+          [](const std::string& folder, const std::string& source, const std::string& target) {
+            return load_folder(folder, {source, target});
+          }))
+      .def_property_readonly("method", method_of)
+      .def_property_readonly(
+          "source", [](const MatchResult& folder) { return py::bytes(folder.source_path); })
+      .def_property_readonly(
+          "target", [](const MatchResult& folder) { return py::bytes(folder.target_path); })
+      .def_property_readonly("geodesics", geodesics_of)
+      .def_property_readonly(
+          "landmarks", [](const MatchResult& folder) { return to_array(landmarks_of(folder)); })
+      .def("tracked", tracked_of)
+      .def("paper", paper_of);
+}
+
+}  // namespace isomatch::python

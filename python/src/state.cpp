@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "state.h"
+
+#include <pybind11/stl.h>
+
+#include <vector>
+
+#include "arrays.h"
+#include "isomatch/error.h"
+
+namespace py = pybind11;
+
+namespace isomatch::python {
+namespace {
+
+// Names of all fields are bound: what a struct gains has to find its place here.
+
+void check(bool fits) {
+  if (!fits)
+    throw InvalidInput("the match does not fit its meshes: another version of isomatch kept it");
+}
+
+py::list to_state(const std::vector<StageTime>& times) {
+  py::list list;
+  for (const auto& [stage, seconds, peak] : times)
+    list.append(py::make_tuple(stage, seconds, peak));
+  return list;
+}
+
+std::vector<StageTime> to_times(const py::handle& state) {
+  std::vector<StageTime> times;
+  for (const auto& [stage, seconds, peak] :
+       state.cast<std::vector<std::tuple<std::string, double, double>>>())
+    times.push_back({stage, seconds, peak});
+  return times;
+}
+
+std::vector<int> integers(const py::handle& array) {
+  return to_integers(array.cast<py::array>(), "state");
+}
+
+std::vector<double> doubles(const py::handle& array) {
+  const auto values = array.cast<Doubles>();
+  return {values.data(), values.data() + values.size()};
+}
+
+SurfaceMap points(const py::handle& state) {
+  const auto arrays = state.cast<py::tuple>();
+  return to_surface_map(arrays[0].cast<py::array>(), arrays[1].cast<py::array>());
+}
+
+py::tuple to_state(const TrackedMap& map) {
+  const auto& [source_to_target, target_to_source, registered, energy, distance, deviation,
+               distortion, orientation, mirrored] = map;
+  return py::make_tuple(to_arrays(source_to_target), to_arrays(target_to_source),
+                        to_array(registered), energy, distance, deviation, distortion, orientation,
+                        mirrored);
+}
+
+TrackedMap to_map(const cli::MatchInputs& inputs, const py::tuple& state) {
+  check(state.size() == 9);
+  TrackedMap map;
+  map.source_to_target = points(state[0]);
+  map.target_to_source = points(state[1]);
+  map.registered = to_points(state[2].cast<py::array>(), "state");
+  map.energy = state[3].cast<double>();
+  map.distance = state[4].cast<double>();
+  map.deviation = state[5].cast<double>();
+  map.distortion = state[6].cast<double>();
+  map.orientation = state[7].cast<double>();
+  map.mirrored = state[8].cast<bool>();
+  check(std::cmp_equal(map.source_to_target.size(), inputs.source.surface.num_vertices()) &&
+        std::cmp_equal(map.target_to_source.size(), inputs.target.surface.num_vertices()) &&
+        map.registered.size() == map.source_to_target.size());
+  return map;
+}
+
+py::tuple to_state(const TrackedResult& result) {
+  const auto& [maps, hypotheses, confidence, oriented, times] = result;
+  py::list map_states, summaries;
+  for (const TrackedMap& map : maps) map_states.append(to_state(map));
+  for (const auto& [distortion, orientation, energy] : hypotheses)
+    summaries.append(py::make_tuple(distortion, orientation, energy));
+  return py::make_tuple(map_states, summaries, confidence, oriented, to_state(times));
+}
+
+TrackedResult to_tracked_result(const cli::MatchInputs& inputs, const py::tuple& state) {
+  check(state.size() == 5);
+  TrackedResult result;
+  for (const py::handle map : state[0])
+    result.maps.push_back(to_map(inputs, map.cast<py::tuple>()));
+  for (const auto& [distortion, orientation, energy] :
+       state[1].cast<std::vector<std::tuple<double, double, double>>>())
+    result.hypotheses.push_back({distortion, orientation, energy});
+  result.confidence = state[2].cast<double>();
+  result.oriented = state[3].cast<bool>();
+  result.times = to_times(state[4]);
+  check(!result.maps.empty());
+  return result;
+}
+
+py::tuple to_state(const PaperLevel& level) {
+  const auto& [source_radius, target_radius, source_bases, target_bases, many_to_one,
+               many_to_one_distortion, matches, distortion, outliers_moved] = level;
+  return py::make_tuple(source_radius, target_radius, source_bases, target_bases,
+                        adopt(std::vector(many_to_one)), adopt(std::vector(many_to_one_distortion)),
+                        to_array(matches), adopt(std::vector(distortion)), outliers_moved);
+}
+
+PaperLevel to_level(const py::tuple& state) {
+  check(state.size() == 9);
+  PaperLevel level;
+  level.source_radius = state[0].cast<double>();
+  level.target_radius = state[1].cast<double>();
+  level.source_bases = state[2].cast<int>();
+  level.target_bases = state[3].cast<int>();
+  level.many_to_one = integers(state[4]);
+  level.many_to_one_distortion = doubles(state[5]);
+  level.matches = to_matches(state[6].cast<py::array>(), "state");
+  level.distortion = doubles(state[7]);
+  level.outliers_moved = state[8].cast<int>();
+  return level;
+}
+
+py::tuple to_state(const PaperResult& result) {
+  const auto& [source_bases, target_bases, levels, source_to_target, complete, times] = result;
+  py::list level_states;
+  for (const PaperLevel& level : levels) level_states.append(to_state(level));
+  return py::make_tuple(adopt(std::vector(source_bases)), adopt(std::vector(target_bases)),
+                        level_states, adopt(std::vector(source_to_target)), complete,
+                        to_state(times));
+}
+
+PaperResult to_paper_result(const cli::MatchInputs& inputs, const py::tuple& state) {
+  check(state.size() == 6);
+  PaperResult result;
+  result.source_bases = integers(state[0]);
+  result.target_bases = integers(state[1]);
+  for (const py::handle level : state[2])
+    result.levels.push_back(to_level(level.cast<py::tuple>()));
+  result.source_to_target = integers(state[3]);
+  result.complete = state[4].cast<bool>();
+  result.times = to_times(state[5]);
+  check(!result.levels.empty() &&
+        std::cmp_equal(result.source_to_target.size(), inputs.source.surface.num_vertices()));
+  return result;
+}
+
+}  // namespace
+
+py::tuple to_state(const TrackedMatch& match) {
+  return py::make_tuple(match.options.dump(), to_state(match.result), match.has_inverse);
+}
+
+py::tuple to_state(const cli::PaperRun& run) {
+  return py::make_tuple(run.options.dump(), to_state(run.result), run.max_geodesics);
+}
+
+TrackedMatch to_tracked(const PreparedMesh& source, const PreparedMesh& target,
+                        const py::tuple& state) {
+  check(state.size() == 3);
+  cli::MatchInputs inputs = to_inputs(source, target);
+  TrackedResult result = to_tracked_result(inputs, state[1].cast<py::tuple>());
+  return {{std::move(inputs), cli::Json::parse(state[0].cast<std::string>()), std::move(result)},
+          state[2].cast<bool>()};
+}
+
+cli::PaperRun to_paper(const PreparedMesh& source, const PreparedMesh& target,
+                       const py::tuple& state) {
+  check(state.size() == 3);
+  cli::MatchInputs inputs = to_inputs(source, target);
+  PaperResult result = to_paper_result(inputs, state[1].cast<py::tuple>());
+  return {std::move(inputs), cli::Json::parse(state[0].cast<std::string>()), std::move(result),
+          state[2].cast<std::array<double, 2>>()};
+}
+
+}  // namespace isomatch::python
