@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import numbers
 import os
 from typing import Optional, Union
 
@@ -115,6 +116,8 @@ def match(
     check_options(options, method, function=f"match(method={method!r})", methods=_METHODS)
     source = as_shape(source, geodesics, threads)
     target = as_shape(target, geodesics, threads)
+    if not isinstance(seed, numbers.Integral) or seed < 0:
+        raise ValueError(f"seed: expected an integer from 0, not {seed!r}")
     pairs, file = _as_landmarks(landmarks, source, target)
     run = _core.RunOptions(threads, progress)
     core = _METHODS[method](source, target, pairs, seed, options, run)

@@ -105,7 +105,6 @@ TrackedMap to_map(const MatchResult& folder, const cli::MatchInputs& inputs, std
     map.distortion = figures.at("distortion");
     map.orientation = figures.at("orientation");
     map.mirrored = figures.value("mirrored", false);
-    return 0;
   });
   return map;
 }
@@ -300,7 +299,6 @@ cli::PaperRun paper_of(const MatchResult& folder, const PreparedMesh& source,
     result.times = times_of(report);
     max_geodesics = {report.at("source").at("max_geodesic"),
                      report.at("target").at("max_geodesic")};
-    return 0;
   });
   return {to_inputs(source, target), folder.report.at("options"), std::move(result), max_geodesics};
 }
