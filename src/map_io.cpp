@@ -15,6 +15,7 @@
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
 #include "isomatch/topology.h"
+#include "number_table.h"
 #include "text_cursor.h"
 #include "whole_number.h"
 
@@ -81,19 +82,35 @@ Correspondence read_pair_lines(const InputFile& file, VertexCounts counts, Numbe
   return matches;
 }
 
-std::vector<Match> read_landmark_lines(const InputFile& file, VertexCounts counts) {
-  const VertexRange sources = source_range(counts, Numbering::kFromZero);
-  const VertexRange targets = target_range(counts, Numbering::kFromZero);
+/// One line of a file of landmarks.
+Match read_landmark(TextCursor& cursor, const VertexRange& sources, const VertexRange& targets) {
+  const int source = read_vertex(cursor, sources, false);
+  cursor.skip_separator();
+  const int target = read_vertex(cursor, targets, false);
+  cursor.skip_separator();
+  if (!cursor.at_line_end())
+    cursor.fail(
+        fmt::format("more than a source and a target vertex, {}; each landmark has a line "
+                    "of its own, its name goes behind #",
+                    in_quotes(cursor.word())));
+  return {source, target};
+}
+
+std::vector<Match> read_landmark_lines(const InputFile& file, VertexCounts counts,
+                                       Numbering numbering) {
+  const VertexRange sources = source_range(counts, numbering);
+  const VertexRange targets = target_range(counts, numbering);
   std::vector<char> taken(counts.source, 0);
   std::vector<Match> landmarks;
-  TextCursor cursor(file, kNumberLines);
+  TextCursor cursor = table_rows(file);
   while (cursor.find_content()) {
     const TextCursor before = cursor;
-    const int source = read_vertex(cursor, sources, false);
-    if (taken[source]) before.fail(fmt::format("source vertex {} has a landmark already", source));
-    taken[source] = 1;
-    landmarks.push_back({source, read_vertex(cursor, targets, false)});
-    cursor.skip_line();
+    landmarks.push_back(read_landmark(cursor, sources, targets));
+    char& is_taken = taken[landmarks.back().source];
+    if (is_taken)
+      before.fail(fmt::format("source vertex {} has a landmark already",
+                              landmarks.back().source + sources.first));
+    is_taken = 1;
   }
   if (landmarks.empty()) file.fail("no landmarks in it");
   return landmarks;
@@ -105,7 +122,9 @@ std::vector<int> read_vertex_lines(const std::string& path, const VertexRange& r
   TextCursor cursor(file, kNumberLines);
   while (cursor.find_content()) {
     vertices.push_back(read_vertex(cursor, range, false));
-    cursor.expect_line_end();
+    if (!cursor.at_line_end())
+      cursor.fail(fmt::format("more than a vertex, {}; each has a line of its own",
+                              in_quotes(cursor.word())));
   }
   if (vertices.empty()) file.fail("no vertices in it");
   return vertices;
@@ -172,8 +191,9 @@ VertexMap read_source_to_target(const std::string& path, VertexCounts counts, Nu
   return read_map_lines(InputFile(path), counts, numbering);
 }
 
-std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts) {
-  return read_landmark_lines(InputFile(path), counts);
+std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts,
+                                  Numbering numbering) {
+  return read_landmark_lines(InputFile(path), counts, numbering);
 }
 
 SurfaceMap read_surface_map(const std::string& path, SurfaceMapCounts counts, Numbering numbering) {

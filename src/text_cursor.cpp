@@ -67,8 +67,18 @@ void TextCursor::skip_line() {
 }
 
 void TextCursor::expect_line_end() {
-  if (!at_line_end())
-    fail(fmt::format("expected the end of the line, found {}", in_quotes(word())));
+  if (at_line_end()) return;
+  const std::string_view found = at_separator(position_) ? std::string_view(position_, 1) : word();
+  fail(fmt::format("expected the end of the line, found {}", in_quotes(found)));
+}
+
+void TextCursor::skip_separator() {
+  skip_blanks();
+  if (!at_separator(position_)) return;
+  if (separator_ != 0 && *position_ != separator_)
+    fail(fmt::format("columns are separated by '{}' before, and by '{}' here", separator_,
+                     *position_));
+  separator_ = *position_++;
 }
 
 std::string_view TextCursor::word() {
@@ -171,7 +181,11 @@ bool TextCursor::at_continuation(const char* at) const {
 
 bool TextCursor::ends_word(const char* at) const {
   return at == end_ || is_blank(*at) || is_line_end(*at) || (dialect_.comments && *at == '#') ||
-         at_continuation(at);
+         at_continuation(at) || at_separator(at);
+}
+
+bool TextCursor::at_separator(const char* at) const {
+  return dialect_.separators && at != end_ && (*at == ',' || *at == ';');
 }
 
 const char* TextCursor::word_end() const {
@@ -182,6 +196,7 @@ const char* TextCursor::word_end() const {
 
 void TextCursor::fail_number(std::string_view expected) const {
   const std::string_view found(position_, word_end());
+  if (at_separator(position_)) fail(fmt::format("expected {}, but the column is empty", expected));
   if (found.empty()) fail(fmt::format("expected {}, but the line ends", expected));
   fail(fmt::format("expected {}, found {}", expected, in_quotes(found)));
 }

@@ -16,6 +16,8 @@ struct TextDialect {
   bool comments = false;
   /// A backslash at the end of a line joins it with the next one.
   bool continuations = false;
+  /// A comma or a semicolon ends a word, see `TextCursor::skip_separator`.
+  bool separators = false;
 };
 
 /// Walks through a text file, word by word and line by line, from its beginning (behind a byte
@@ -36,6 +38,10 @@ class TextCursor {
   void skip_line();
   /// Fails unless `at_line_end`.
   void expect_line_end();
+
+  /// Moves behind a comma or semicolon, if one is next; so an empty column is none. Of a file's
+  /// separators all must be the same: 1,5;2,5 would be two numbers to its author.
+  void skip_separator();
 
   /// The next word on this line, empty at its end. `peek_word` stays in front of it.
   std::string_view word();
@@ -76,6 +82,7 @@ class TextCursor {
   void skip_blanks();
   bool at_continuation(const char* at) const;
   bool ends_word(const char* at) const;
+  bool at_separator(const char* at) const;
   const char* word_end() const;
   [[noreturn]] void fail_number(std::string_view expected) const;
 
@@ -83,6 +90,8 @@ class TextCursor {
   TextDialect dialect_;
   const char* position_;
   const char* end_;
+  /// The one that the file uses, 0 as long as that is not known.
+  char separator_ = 0;
 };
 
 /// Whether `a` and `b` differ at most in the case of the letters A to Z.

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "input_file.h"
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
+#include "number_table.h"
 #include "text_cursor.h"
 #include "whole_number.h"
 
@@ -23,8 +25,8 @@ namespace {
 
 /// Calls `read_line` at the beginning of every line and checks their number.
 template <class ReadLine>
-void read_lines(const InputFile& file, int num_vertices, const ReadLine& read_line) {
-  TextCursor cursor(file, kNumberLines);
+void read_lines(const InputFile& file, TextCursor cursor, int num_vertices,
+                const ReadLine& read_line) {
   int lines = 0;
   for (; cursor.find_content(); ++lines) {
     if (lines == num_vertices)
@@ -90,9 +92,9 @@ Eigen::MatrixXd read_values(const std::string& path, int num_vertices) {
   const InputFile file(path);
   std::vector<double> values;
   std::size_t columns = 0;
-  read_lines(file, num_vertices, [&](TextCursor& cursor) {
+  read_lines(file, table_rows(file), num_vertices, [&](TextCursor& cursor) {
     const std::size_t before = values.size();
-    while (!cursor.at_line_end()) values.push_back(read_value(cursor));
+    for (; !cursor.at_line_end(); cursor.skip_separator()) values.push_back(read_value(cursor));
     if (before == 0) columns = values.size();
     if (values.size() - before != columns)
       cursor.fail(
@@ -103,16 +105,18 @@ Eigen::MatrixXd read_values(const std::string& path, int num_vertices) {
 }
 
 void write_values(const std::string& path, const Eigen::MatrixXd& values) {
+  const bool is_csv = equal_ignoring_case(std::filesystem::path(path).extension().string(), ".csv");
+  const char* const separator = is_csv ? "," : " ";
   write_lines(path, values.rows(), [&](auto out, std::size_t i) {
     for (Eigen::Index k = 0; k < values.cols(); ++k)
-      fmt::format_to(out, "{}{}", k == 0 ? "" : " ", values(i, k));
+      fmt::format_to(out, "{}{}", k == 0 ? "" : separator, values(i, k));
   });
 }
 
 std::vector<int> read_labels(const std::string& path, int num_vertices) {
   const InputFile file(path);
   std::vector<int> labels;
-  read_lines(file, num_vertices, [&](TextCursor& cursor) {
+  read_lines(file, table_rows(file), num_vertices, [&](TextCursor& cursor) {
     const TextCursor before = cursor;
     const std::int64_t label = whole_number(cursor);
     if (label < kNoLabel || label > std::numeric_limits<int>::max())
@@ -130,7 +134,7 @@ void write_labels(const std::string& path, const std::vector<int>& labels) {
 SkinWeights read_skin_weights(const std::string& path, int num_vertices) {
   const InputFile file(path);
   SkinWeights weights;
-  read_lines(file, num_vertices,
+  read_lines(file, TextCursor(file, kNumberLines), num_vertices,
              [&](TextCursor& cursor) { weights.push_back(read_influences(cursor)); });
   return weights;
 }

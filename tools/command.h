@@ -33,10 +33,13 @@ void add_report(CLI::App& app, Request& request);
 void add_transfer(CLI::App& app, Request& request);
 void add_convert(CLI::App& app, Request& request);
 
+/// Adds `--quiet`.
+void add_quiet_option(CLI::App& command, Request& request);
 /// Adds `--threads` and `--quiet`, for subcommands that take more than a moment.
 void add_run_options(CLI::App& command, Request& request);
 
-/// Sets `example`, one or more complete command lines, as the end of `command`'s help.
-void set_example(CLI::App& command, const std::string& example);
+/// Sets the end of `command`'s help: `example`, one or more complete command lines, and the page of
+/// docs that has more.
+void set_example(CLI::App& command, const std::string& example, const std::string& page);
 
 }  // namespace isomatch::cli

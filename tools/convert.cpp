@@ -13,8 +13,10 @@
 #include "isomatch/model_io.h"
 #include "load.h"
 #include "map_input.h"
+#include "result/parent_folders.h"
 #include "result/result.h"
 #include "result/result_model.h"
+#include "say.h"
 
 namespace isomatch::cli {
 namespace {
@@ -24,7 +26,7 @@ struct ConvertArguments {
   MeshPlaces places;
   MeshReadOptions reading;
   std::size_t alternative = 0;
-  bool one_based = false, write_one_based = false;
+  bool one_based = false, write_one_based = false, quiet = false;
 
   Numbering output_numbering() const {
     return write_one_based ? Numbering::kFromOne : Numbering::kFromZero;
@@ -70,7 +72,7 @@ void convert_map(const ConvertArguments& arguments) {
   MapReadReport report;
   MapContent map = read_map(arguments.input, checks, told_numbering(arguments.one_based), &report);
   if (const auto note = numbering_note(arguments.input, report, arguments.one_based))
-    fmt::print("{}\n", *note);
+    arguments.quiet ? warn(*note) : say("{}", *note);
   add_missing_form(map, arguments, target);
   write_map(arguments.output, map, arguments.output_numbering());
 }
@@ -107,6 +109,7 @@ void check_convert(const ConvertArguments& arguments) {
 }
 
 void run_convert(const ConvertArguments& arguments) {
+  const ParentFolders parents(arguments.output);
   check_convert(arguments);
   if (std::filesystem::is_directory(arguments.input))
     convert_result(arguments);
@@ -114,6 +117,7 @@ void run_convert(const ConvertArguments& arguments) {
     convert_map(arguments);
   else
     write_model(arguments.output, load_model(arguments.input, arguments.reading));
+  if (!arguments.quiet) say("written to {}", arguments.output);
 }
 
 void add_map_options(CLI::App& command, ConvertArguments& arguments) {
@@ -121,15 +125,19 @@ void add_map_options(CLI::App& command, ConvertArguments& arguments) {
                    "IN, a map, numbers from one; without this from zero unless that cannot be");
   command.add_flag("--write-one-based", arguments.write_one_based,
                    "Number from one in OUT, a map; .vts always does, .npz never");
-  command.add_option("--source", arguments.places.source,
-                     "Of a map, to check it; of a result, if the mesh was moved");
-  command.add_option("--target", arguments.places.target,
-                     "Of a map, to check it or to turn vertices into points on triangles or back; "
-                     "of a result, if the mesh was moved");
+  command
+      .add_option("--source", arguments.places.source,
+                  "Of a map, to check it; of a result, if the mesh was moved")
+      ->type_name("FILE");
+  command
+      .add_option("--target", arguments.places.target,
+                  "Of a map, to check it or to turn vertices into points on triangles or back; "
+                  "of a result, if the mesh was moved")
+      ->type_name("FILE");
   command
       .add_option("--alternative", arguments.alternative,
                   "Use this alternative of a result instead of the best map")
-      ->type_name("K");
+      ->type_name("N");
 }
 
 }  // namespace
@@ -144,16 +152,21 @@ void add_convert(CLI::App& app, Request& request) {
                   "or folder that `isomatch match` wrote")
       ->required();
   command
-      .add_option("OUT", arguments->output,
-                  "Mesh or map; of a folder the source with colours and both poses, or the map")
+      .add_option(
+          "OUT", arguments->output,
+          "Mesh (.off .obj .ply .glb .gltf .mat) or map (.txt .map .vts .bary.txt .npz); of "
+          "a folder the source with colours and both poses, or the map")
       ->required();
   add_mesh_option(command, arguments->reading);
   add_map_options(command, *arguments);
+  add_quiet_option(command, request);
   set_example(command,
               "isomatch convert cat0.mat cat0.off\n"
               "  isomatch convert cats cats.glb\n"
-              "  isomatch convert cats cats.npz");
+              "  isomatch convert cats cats.npz",
+              "formats.md");
   command.callback([arguments, &request] {
+    arguments->quiet = request.quiet;
     request.action = [arguments](const Context&) { run_convert(*arguments); };
   });
 }

@@ -10,6 +10,7 @@
 #include "isomatch/mesh_io.h"
 #include "load.h"
 #include "map_input.h"
+#include "progress_bar.h"
 
 namespace isomatch::cli {
 namespace {
@@ -80,6 +81,7 @@ void print(const Evaluation& evaluation) {
 
 void run_eval(const EvalArguments& arguments, const Context& context) {
   const Measured measured = measure(arguments, context);
+  ProgressBar::make_room();
   if (arguments.json) {
     Json json{{"map_numbered_from", static_cast<int>(measured.map.numbering)}};
     json.update(to_json(measured.evaluation));
@@ -103,16 +105,16 @@ void add_files(CLI::App& command, EvalArguments& arguments) {
       ->required();
   auto* source_truth =
       command.add_option("--gt-source", arguments.truth.source, "Ground truth on the source")
-          ->type_name("VTS");
+          ->type_name("FILE");
   auto* target_truth =
       command.add_option("--gt-target", arguments.truth.target, "Ground truth on the target")
-          ->type_name("VTS")
+          ->type_name("FILE")
           ->needs(source_truth);
   source_truth->needs(target_truth);
   command
       .add_option("--gt-target-sym", arguments.truth.symmetric_target,
                   "Ground truth on the target under the left-right symmetry")
-      ->type_name("VTS")
+      ->type_name("FILE")
       ->needs(target_truth);
 }
 
@@ -142,7 +144,8 @@ void add_eval(CLI::App& app, Request& request) {
   add_run_options(command, request);
   set_example(command,
               "isomatch eval cat0.off cat1.off result/source_to_target.txt --gt-source cat0.vts "
-              "--gt-target cat1.vts --gt-target-sym cat1.sym.vts");
+              "--gt-target cat1.vts --gt-target-sym cat1.sym.vts",
+              "metrics.md");
   command.callback([arguments, &request] {
     request.action = [arguments](const Context& context) { run_eval(*arguments, context); };
   });

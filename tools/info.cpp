@@ -91,7 +91,7 @@ void add_info(CLI::App& app, Request& request) {
       ->required();
   add_mesh_option(command, arguments->reading);
   command.add_flag("--json", arguments->json, "Print JSON");
-  set_example(command, "isomatch info horse.off");
+  set_example(command, "isomatch info horse.off", "meshes.md");
   command.callback([arguments, &request] {
     request.action = [arguments](const Context&) { run_info(*arguments); };
   });

@@ -34,8 +34,12 @@ auto of_file(const std::string& path, const Work& work) {
 }  // namespace
 
 void warn(const std::string& path, std::string_view warning) {
-  ProgressBar::clear_line();
-  fmt::print(stderr, "warning: {}: {}\n", path, warning);
+  warn(fmt::format("{}: {}", path, warning));
+}
+
+void warn(std::string_view warning) {
+  ProgressBar::make_room();
+  fmt::print(stderr, "warning: {}\n", warning);
 }
 
 Mesh load_mesh(const std::string& path) {

@@ -14,6 +14,8 @@ namespace isomatch::cli {
 
 /// Tells on standard error, `--quiet` or not, what is odd about the file `path`.
 void warn(const std::string& path, std::string_view warning);
+/// The same of what is not a file's fault.
+void warn(std::string_view warning);
 
 /// The readers of the same names with `read` for `load`. They tell what the reader warns of.
 Mesh load_mesh(const std::string& path);

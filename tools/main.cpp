@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "command.h"
+#include "help_format.h"
 #include "isomatch/version.h"
 #include "program.h"
 
@@ -10,10 +13,11 @@ namespace isomatch::cli {
 namespace {
 
 void describe_program(CLI::App& app, Request& request) {
-  app.set_version_flag("--version", fmt::format("isomatch {}", kVersion));
+  app.set_version_flag("--version", fmt::format("isomatch {}", kVersion),
+                       "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
+  app.formatter(std::make_shared<HelpFormat>());
   add_match(app, request);
   add_eval(app, request);
   add_info(app, request);
@@ -22,7 +26,7 @@ void describe_program(CLI::App& app, Request& request) {
   add_report(app, request);
   add_transfer(app, request);
   add_convert(app, request);
-  set_example(app, "isomatch match cat0.off cat1.off -o cats");
+  set_example(app, "isomatch match cat0.off cat1.off -o cats", "index.md");
 }
 
 }  // namespace

@@ -5,14 +5,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <utility>
 
 #include "interrupt.h"
 #include "isomatch/error.h"
 #include "progress_bar.h"
+#include "usage_error.h"
 
 namespace isomatch::cli {
 namespace {
@@ -56,6 +59,14 @@ int run_guarded(const std::string& name, const Request& request) {
   }
 }
 
+void parse(CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> rest = with_help_as_option(words);
+  // CLI11 takes them from the end.
+  std::reverse(rest.begin(), rest.end());
+  rest.pop_back();
+  app.parse(std::move(rest));
+}
+
 }  // namespace
 
 void restart_without_spinning(char** argv) {
@@ -68,11 +79,11 @@ int run_program(CLI::App& app, Request& request, int argc, char** argv) {
   const std::string name = app.get_name();
   request.words.assign(argv, argv + argc);
   try {
-    app.parse(argc, argv);
+    parse(app, request.words);
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}: {} (see {} --help)\n", name, error.what(), name);
+    fmt::print(stderr, "{}: {}\n", name, usage_error(app, request.words, error));
     return kBadInput;
   }
   return run_guarded(name, request);

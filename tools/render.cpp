@@ -12,7 +12,10 @@
 #include "picture/position_colors.h"
 #include "result/materials.h"
 #include "result/pair_view.h"
+#include "result/parent_folders.h"
+#include "result/place_options.h"
 #include "result/result.h"
+#include "say.h"
 
 namespace isomatch::cli {
 namespace {
@@ -27,6 +30,7 @@ struct RenderArguments {
   /// Files of the source and the target.
   std::vector<std::string> textures;
   int width = 1600;
+  bool quiet = false;
 };
 
 std::vector<Color> target_colors(const MatchResult& result, const picture::PositionColors& color) {
@@ -91,14 +95,18 @@ picture::Image draw_map(const MatchResult& result, const ResultMap& map, const P
 }
 
 void run_render(const RenderArguments& arguments) {
+  const ParentFolders parents(arguments.output);
   check_render(arguments);
   const MatchResult result = load_result(arguments.folder, arguments.places);
   MatchResult drawn = result;
   make_drawable(drawn);
   const ResultMap& map = chosen_map(drawn, arguments.alternative);
   const PairView view = choose_pair_view(drawn, map, arguments.view);
-  write_png(arguments.output, arguments.textures.empty() ? draw_map(drawn, map, view, arguments)
-                                                         : draw_textures(result, view, arguments));
+  const picture::Image image = arguments.textures.empty() ? draw_map(drawn, map, view, arguments)
+                                                          : draw_textures(result, view, arguments);
+  write_png(arguments.output, image);
+  if (!arguments.quiet)
+    say("picture of {} x {} pixels written to {}", image.width, image.height, arguments.output);
 }
 
 void add_view_options(CLI::App& command, RenderArguments& arguments) {
@@ -123,23 +131,26 @@ void add_render(CLI::App& app, Request& request) {
   const auto arguments = std::make_shared<RenderArguments>();
   CLI::App& command = *app.add_subcommand("render", "Draw a result: colours carried by the map");
   command.add_option("DIR", arguments->folder, "Folder that `isomatch match` wrote")->required();
-  command.add_option("-o,--output", arguments->output, "PNG file")->required();
+  command.add_option("-o,--output", arguments->output, "Picture, a .png file")
+      ->type_name("FILE")
+      ->required();
   command
       .add_option("--alternative", arguments->alternative,
                   "Draw this alternative instead of the best map")
-      ->type_name("K");
+      ->type_name("N");
   command
       .add_option(
           "--textures", arguments->textures,
           "Draw these textures instead: SOURCE, and the TARGET that `transfer` made; PNG or "
           "JPEG images, a checkerboard without")
-      ->type_name("OBJ")
+      ->type_name("FILE")
       ->expected(2);
-  command.add_option("--source", arguments->places.source, "The source mesh, if it was moved");
-  command.add_option("--target", arguments->places.target, "The target mesh, if it was moved");
+  add_places(command, arguments->places);
   add_view_options(command, *arguments);
-  set_example(command, "isomatch render cats -o cats.png");
+  add_quiet_option(command, request);
+  set_example(command, "isomatch render cats -o cats.png", "tutorial.md");
   command.callback([arguments, &request] {
+    arguments->quiet = request.quiet;
     request.action = [arguments](const Context&) { run_render(*arguments); };
   });
 }

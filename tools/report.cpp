@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 
 #include "command.h"
 #include "page/options.h"
 #include "page/page.h"
+#include "result/parent_folders.h"
+#include "result/place_options.h"
 #include "result/written_files.h"
+#include "say.h"
 
 namespace isomatch::cli {
 namespace {
@@ -24,9 +25,10 @@ void run_report(const ReportArguments& arguments, const Context& context) {
   const std::string output = arguments.output.empty()
                                  ? (std::filesystem::path(arguments.folder) / kPage).string()
                                  : arguments.output;
+  const ParentFolders parents(output);
   check_page_output(output, arguments.folder, arguments.places, arguments.page.truth);
   write_page(output, arguments.folder, arguments.places, arguments.page, context);
-  if (!arguments.quiet) fmt::print("written to {}\n", output);
+  if (!arguments.quiet) say("written to {}", output);
 }
 
 }  // namespace
@@ -35,15 +37,17 @@ void add_report(CLI::App& app, Request& request) {
   const auto arguments = std::make_shared<ReportArguments>();
   CLI::App& command = *app.add_subcommand("report", "Make a page that shows a result in 3D");
   command.add_option("DIR", arguments->folder, "Folder that `isomatch match` wrote")->required();
-  command.add_option("-o,--output", arguments->output,
-                     "HTML file, complete in itself; DIR/report.html by default");
-  command.add_option("--source", arguments->places.source, "The source mesh, if it was moved");
-  command.add_option("--target", arguments->places.target, "The target mesh, if it was moved");
+  command
+      .add_option("-o,--output", arguments->output,
+                  "Page, a .html file, complete in itself; DIR/report.html by default")
+      ->type_name("FILE");
+  add_places(command, arguments->places);
   add_page_options(command, arguments->page);
   add_run_options(command, request);
   set_example(command,
               "isomatch report cats\n"
-              "  isomatch report cats --gt-source cat0.vts --gt-target cat1.vts");
+              "  isomatch report cats --gt-source cat0.vts --gt-target cat1.vts",
+              "report.md");
   command.callback([arguments, &request] {
     arguments->quiet = request.quiet;
     request.action = [arguments](const Context& context) { run_report(*arguments, context); };

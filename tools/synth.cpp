@@ -12,6 +12,8 @@
 #include "isomatch/map_io.h"
 #include "isomatch/mesh_io.h"
 #include "result/input_files.h"
+#include "result/parent_folders.h"
+#include "say.h"
 
 namespace isomatch::cli {
 namespace {
@@ -19,6 +21,7 @@ namespace {
 struct SynthArguments {
   SynthOptions options;
   std::string output;
+  bool quiet = false;
 };
 
 void run_synth(const SynthArguments& arguments, const Context& context) {
@@ -27,12 +30,16 @@ void run_synth(const SynthArguments& arguments, const Context& context) {
     return std::filesystem::path(path).replace_extension(ending).string();
   };
   const std::string truth = beside(".vts"), symmetric_truth = beside(".sym.vts");
+  const ParentFolders parents(path);
   check_mesh_output(path);
   for (const std::string& file : {truth, symmetric_truth}) check_companion_output(file, path, {});
   const SynthShape shape = synthesize(arguments.options, context);
   write_mesh(path, shape.mesh);
   write_vts(truth, shape.ground_truth);
   write_vts(symmetric_truth, shape.symmetric_ground_truth);
+  if (!arguments.quiet)
+    say("mesh of {} vertices written to {}, its ground truth to {} and {}",
+        shape.mesh.num_vertices(), path, truth, symmetric_truth);
 }
 
 }  // namespace
@@ -50,20 +57,23 @@ void add_synth(CLI::App& app, Request& request) {
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--pose", options.pose, "0 is the rest pose, every other number another one")
-      ->type_name("P")
+      ->type_name("N")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "Decides the shape's proportions")
-      ->type_name("S")
+      ->type_name("N")
       ->capture_default_str();
   command
       .add_option(
           "-o,--output", arguments->output,
-          "Mesh file (.off .obj .ply); the ground truth goes beside it, as .vts and .sym.vts")
+          "Mesh file (.off .obj .ply .glb .gltf .mat); the ground truth goes beside it, as .vts "
+          "and .sym.vts")
       ->type_name("FILE")
       ->required();
   add_run_options(command, request);
-  set_example(command, "isomatch synth --vertices 20000 --pose 3 --seed 7 -o creature3.off");
+  set_example(command, "isomatch synth --vertices 20000 --pose 3 --seed 7 -o creature3.off",
+              "tutorial.md");
   command.callback([arguments, &request] {
+    arguments->quiet = request.quiet;
     request.action = [arguments](const Context& context) { run_synth(*arguments, context); };
   });
 }

@@ -4,14 +4,17 @@
 
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 #include "command.h"
+#include "help_format.h"
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
 #include "isomatch/version.h"
 #include "program.h"
 #include "program/child.h"
 #include "program/measure.h"
+#include "say.h"
 
 namespace isomatch::baselines {
 namespace {
@@ -64,13 +67,10 @@ void add_method(const Method& method, const BenchArguments& arguments, const Con
 }
 
 void write_report(const std::string& path, const Json& report) {
-  const std::string text = report.dump(1) + "\n";
-  if (path.empty()) {
-    fmt::print("{}", text);
-    return;
-  }
+  const std::string text = report.dump(1);
+  if (path.empty()) return cli::say("{}", text);
   AtomicFile file(path);
-  file.write(text);
+  file.write(text + "\n");
   file.commit();
 }
 
@@ -143,13 +143,14 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
 void describe_program(CLI::App& app, BenchArguments& arguments, cli::Request& request) {
   app.set_version_flag("--version", fmt::format("isomatch-bench {}", kVersion));
   app.set_help_flag("-h,--help", "Print this help and exit");
-  app.get_formatter()->column_width(34);
+  app.formatter(std::make_shared<cli::HelpFormat>());
   add_files(app, arguments);
   add_options(app, arguments);
   cli::add_run_options(app, request);
   cli::set_example(app,
                    "isomatch-bench --methods tracked,zoomout cat0.off cat1.off --gt-source "
-                   "cat0.vts --gt-target cat1.vts --gt-target-sym cat1.sym.vts");
+                   "cat0.vts --gt-target cat1.vts --gt-target-sym cat1.sym.vts",
+                   "bench.md");
   request.action = [&arguments](const Context& context) { run_bench(arguments, context); };
 }
 

@@ -34,9 +34,12 @@ Correspondence read_correspondence(const std::string& path, VertexCounts counts,
 VertexMap read_source_to_target(const std::string& path, VertexCounts counts,
                                 Numbering numbering = Numbering::kFromZero);
 
-/// Reads landmarks: a list of pairs as above in which no source vertex occurs twice. In the file's
-/// order.
-std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts);
+/// Reads landmarks, in the file's order: a line each, source vertex and target vertex, and nothing
+/// else; no source vertex occurs twice. Between the two are blanks, tabs, a comma or a semicolon; a
+/// first line of names of columns, blank lines and comments behind # are passed over. The result is
+/// 0-based. Throws `BadFile` as `read_correspondence`.
+std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts,
+                                  Numbering numbering = Numbering::kFromZero);
 
 /// Reads a list of vertices, one a line, repeated or not, numbered from 0, or from 1 in a file
 /// named .vts. In the file's order.

@@ -14,11 +14,13 @@
 /// trip.
 namespace isomatch {
 
-/// As many numbers on each line; `nan` is one of them, and means that there is none.
+/// As many numbers on each line; `nan` is one of them, and means that there is none. Columns are
+/// separated by blanks, tabs, commas or semicolons, one kind in a file; a first line of names is
+/// passed over. Written with commas into a .csv file, otherwise with blanks.
 Eigen::MatrixXd read_values(const std::string& path, int num_vertices);
 void write_values(const std::string& path, const Eigen::MatrixXd& values);
 
-/// Integers from 0, or `kNoLabel`.
+/// Integers from 0, or `kNoLabel`. A first line with a name is passed over.
 std::vector<int> read_labels(const std::string& path, int num_vertices);
 void write_labels(const std::string& path, const std::vector<int>& labels);
 

@@ -10,9 +10,12 @@
 
 #include "parallel.h"
 #include "tracked/densify.h"
+#include "tracked/steps.h"
 
 namespace isomatch::tracked {
 namespace {
+
+constexpr const char* kStage = "hypotheses";
 
 /// The tips, then evenly spread nodes.
 Landmarks landmarks_of(const Proxy& proxy, const std::vector<int>& tips, int count) {
@@ -205,13 +208,19 @@ std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& targe
                                          const Context& context) {
   const Landmarks from = landmarks_of(source, tips.source, options.fine.source_landmarks);
   const Landmarks onto = landmarks_of(target, tips.target, options.fine.target_landmarks);
+  // Of the time, how much what is done takes.
+  constexpr double kGrown = 0.5, kSymmetric = 0.7;
   std::vector<LandmarkMap> maps = grow_in_stages(
       seeds_between(source, target, tips, seeds, static_cast<int>(options.landmarks.size())), from,
       onto, options, context);
-  if (!maps.empty())
-    std::ranges::move(twins_of(maps, near_symmetries(target, onto, tips.target, options, context),
-                               from, onto, options, context),
+  context.report(kGrown, kStage);
+  if (!maps.empty()) {
+    const auto symmetries = near_symmetries(target, onto, tips.target, options, context);
+    context.report(kSymmetric, kStage);
+    std::ranges::move(twins_of(maps, symmetries, from, onto, options, context),
                       std::back_inserter(maps));
+  }
+  context.report(1, kStage);
   if (options.growth.orientation && source.oriented && target.oriented) drop_mirrored(maps);
   select(maps, onto, options.fine.max_maps, options);
   std::vector<Hypothesis> hypotheses;
@@ -223,16 +232,18 @@ std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& targe
 
 std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target,
                                         const HypothesisOptions& options, const Context& context) {
+  constexpr double kFirst = 0.6;
   Tips tips = sharp_tips(source, target, options);
   std::vector<Hypothesis> hypotheses =
-      grown_hypotheses(source, target, tips, options.seeds, options, context);
+      grown_hypotheses(source, target, tips, options.seeds, options, part_of(context, 0, kFirst));
   if (std::cmp_greater_equal(hypotheses.size(), options.enough)) return hypotheses;
   append_spread_nodes(source, options.seeds.spread_source_nodes, tips.source);
   append_spread_nodes(target, options.seeds.spread_target_nodes, tips.target);
   SeedOptions seeds = options.seeds;
   seeds.min_matches = std::min({seeds.min_matches, source.num_measured(), target.num_measured()});
-  std::ranges::move(grown_hypotheses(source, target, tips, seeds, options, context),
-                    std::back_inserter(hypotheses));
+  std::ranges::move(
+      grown_hypotheses(source, target, tips, seeds, options, part_of(context, kFirst, 1)),
+      std::back_inserter(hypotheses));
   return hypotheses;
 }
 

@@ -42,7 +42,7 @@ struct Hypothesis {
   float orientation = 0;
 };
 
-/// Candidates for the map between two shapes, the most plausible first.
+/// Candidates for the map between two shapes, the most plausible first. Reports progress.
 std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target,
                                         const HypothesisOptions& options, const Context& context);
 

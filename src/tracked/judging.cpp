@@ -7,6 +7,7 @@
 
 #include "parallel.h"
 #include "tracked/densify.h"
+#include "tracked/steps.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -53,13 +54,18 @@ double energy(const Model& source, const Model& target, const Hypothesis& hypoth
 
 std::vector<Judged> judged_hypotheses(const Model& source, const Model& target,
                                       const TrackerOptions& options, const Context& context) {
+  // Of the time, how much finding takes.
+  constexpr double kFound = 0.7;
   std::vector<Hypothesis> hypotheses =
-      find_hypotheses(source.proxy, target.proxy, with_landmarks(source, target, options), context);
+      find_hypotheses(source.proxy, target.proxy, with_landmarks(source, target, options),
+                      part_of(context, 0, kFound));
   const elastic::Projection surface = projection_onto(target.proxy, options.early_projection);
+  Steps steps(context, "hypotheses", kFound, 1, static_cast<int>(hypotheses.size()));
   std::vector<Judged> judged(hypotheses.size());
   parallel_for(std::ssize(hypotheses), context, [&](std::ptrdiff_t k) {
     const double e = energy(source, target, hypotheses[k], surface, options);
     judged[k] = {std::move(hypotheses[k]), e, &source};
+    steps.take();
   });
   if (options.elastic_judging) sort_by_cost(judged);
   return judged;

@@ -38,12 +38,18 @@ std::vector<int> place_vertices(const Proxy& proxy) {
 
 Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& options,
                  const Context& context) {
-  UnitSurface unit = unit_surface(surface, mirrored);
-  Detail detail = make_detail(unit, options.detail_vertices, context);
-  Proxy proxy = make_proxy(detail, unit.oriented, options.proxy, context);
+  int steps = 0;
+  const auto stepped = [&](auto result) {
+    context.report(static_cast<double>(++steps) / kModelSteps, "model");
+    return result;
+  };
+  UnitSurface unit = stepped(unit_surface(surface, mirrored));
+  Detail detail = stepped(make_detail(unit, options.detail_vertices, context));
+  Proxy proxy = stepped(make_proxy(detail, unit.oriented, options.proxy, context));
   set_places(detail, place_vertices(proxy), context);
-  std::vector<int> anchor = anchors(unit, detail, context);
-  spectral::Eigenbasis basis = spectral::eigenbasis(proxy.mesh, options.last_basis, context);
+  std::vector<int> anchor = stepped(anchors(unit, detail, context));
+  spectral::Eigenbasis basis =
+      stepped(spectral::eigenbasis(proxy.mesh, options.last_basis, context));
   Model model{std::move(unit),
               std::move(detail),
               std::move(anchor),
@@ -56,7 +62,7 @@ Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& op
   model.coarse = make_level(model.proxy, model.basis, options.coarse_nodes);
   model.middle = make_level(model.proxy, model.basis, options.middle_nodes);
   model.fine = make_level(model.proxy, model.basis, options.proxy.nodes);
-  return model;
+  return stepped(std::move(model));
 }
 
 int nearest_node(const Model& model, int surface_vertex, int count) {

@@ -34,6 +34,9 @@ struct Model {
   bool mirrored = false;
 };
 
+/// How often `make_model` reports progress.
+inline constexpr int kModelSteps = 6;
+
 /// O(N log N).
 Model make_model(const Surface& surface, bool mirrored, const TrackerOptions& options,
                  const Context& context);

@@ -9,6 +9,7 @@
 
 #include "parallel.h"
 #include "tracked/reversal.h"
+#include "tracked/steps.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -27,13 +28,19 @@ std::vector<Track> ranked(std::vector<Track> tracks, const TrackerOptions& optio
   return different;
 }
 
+constexpr const char* kStage = "refinement";
+
 /// `step` of each of the first so many, in parallel.
 template <class Start, class Step>
 std::vector<Track> all_tracks(const std::vector<Start>& starts, int most, const Context& context,
                               const Step& step) {
   const int count = std::min(static_cast<int>(starts.size()), most);
+  Steps steps(context, kStage, 0, 1, count);
   std::vector<std::optional<Track>> made(count);
-  parallel_for(count, context, [&](std::ptrdiff_t i) { made[i].emplace(step(starts[i])); });
+  parallel_for(count, context, [&](std::ptrdiff_t i) {
+    made[i].emplace(step(starts[i]));
+    steps.take();
+  });
   std::vector<Track> tracks;
   for (auto& track : made) tracks.push_back(std::move(*track));
   return tracks;
@@ -69,28 +76,35 @@ double margin(const Track& winner, const std::vector<Track>& tracks) {
 
 Finals run_finals(const Model& target, const std::vector<Judged>& judged,
                   const TrackerOptions& options, const Context& context) {
+  // Where of the whole the tracks are through the middle and through the fine level.
+  constexpr double kMiddle = 0.4, kFine = 0.8;
   const Tracking tracking(target, options, context);
   const int finalists = std::max(options.finalists, options.different_maps);
   const int entrants =
       options.different_maps > 1 ? static_cast<int>(judged.size()) : options.entrants;
   context.check_stop();
-  const std::vector<Track> middle = ranked(
-      all_tracks(judged, entrants, context, [&](const Judged& j) { return tracking.begin(j); }),
-      options);
+  const std::vector<Track> middle =
+      ranked(all_tracks(judged, entrants, part_of(context, 0, kMiddle),
+                        [&](const Judged& j) { return tracking.begin(j); }),
+             options);
   context.check_stop();
   Finals finals;
   const std::vector<const Track*> last = finalists_of(middle, judged.front(), finalists);
-  finals.tracks = ranked(all_tracks(last, static_cast<int>(last.size()), context,
-                                    [&](const Track* track) { return tracking.finish(*track); }),
-                         options);
+  finals.tracks =
+      ranked(all_tracks(last, static_cast<int>(last.size()), part_of(context, kMiddle, kFine),
+                        [&](const Track* track) { return tracking.finish(*track); }),
+             options);
   finals.confidence =
       margin(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks : middle);
   if (std::cmp_greater(finals.tracks.size(), options.different_maps))
     finals.tracks.erase(finals.tracks.begin() + options.different_maps, finals.tracks.end());
   context.check_stop();
-  if (options.rounds > 0)
-    for (Track& track : finals.tracks)
-      settle_with_reverse(track, tracking, target, options, context);
+  if (options.rounds == 0) return finals;
+  Steps steps(context, kStage, kFine, 1, static_cast<int>(finals.tracks.size()));
+  for (Track& track : finals.tracks) {
+    settle_with_reverse(track, tracking, target, options, context);
+    steps.take();
+  }
   return finals;
 }
 

@@ -107,9 +107,9 @@ TEST_F(Convert, MapsChangeTheirNumbering) {
   folder_.write("ones.txt", "1\n2\n3\n");
   EXPECT_THAT(convert("ones.txt", "a.vts"), HasSubstr("say --one-based"));
   EXPECT_EQ(bytes("a.vts"), "2\n3\n4\n");
-  EXPECT_EQ(convert("ones.txt", "a.map", {"--one-based"}), "");
+  EXPECT_EQ(convert("ones.txt", "a.map", {"--one-based", "--quiet"}), "");
   EXPECT_EQ(bytes("a.map"), "0\n1\n2\n");
-  EXPECT_EQ(convert("a.vts", "b.txt", {"--write-one-based"}), "");
+  EXPECT_EQ(convert("a.vts", "b.txt", {"--write-one-based", "--quiet"}), "");
   EXPECT_EQ(bytes("b.txt"), "2\n3\n4\n");
   write_mesh(path("target.off"), tetrahedron());
   EXPECT_THAT(convert("b.txt", "c.txt", {"--target", path("target.off")}),

@@ -28,7 +28,7 @@ TEST_F(MatchProgram, BadInputLeavesNoFolder) {
 }
 
 TEST_F(MatchProgram, OutputThatCannotBeMadeIsRefusedFirst) {
-  const Outcome missing = run(arguments("no/such/folder"));
+  const Outcome missing = run(arguments("source.off/such/folder"));
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_THAT(missing.errors, HasSubstr("cannot be created"));
   EXPECT_EQ(run(arguments("source.off")).exit_code, 2);

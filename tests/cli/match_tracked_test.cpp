@@ -169,10 +169,24 @@ TEST_F(MatchTracked, AlternativesHaveFoldersOfTheirOwn) {
 TEST_F(MatchTracked, LandmarksGoIntoTheReport) {
   const int source = creature(1).ground_truth[0];
   const int target = creature(2).ground_truth[0] + kExtraVertices;
-  folder_.write("landmarks.txt", std::to_string(source) + " " + std::to_string(target) + " hip\n");
+  folder_.write("landmarks.txt",
+                std::to_string(source) + " " + std::to_string(target) + " # hip\n");
   const Outcome outcome = run(arguments("out", {"--landmarks", path("landmarks.txt")}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(json("out/report.json")["options"]["landmarks"], path("landmarks.txt"));
+}
+
+TEST_F(MatchTracked, LandmarksMayBeASpreadsheetsAndFromOne) {
+  const int source = creature(1).ground_truth[0];
+  const int target = creature(2).ground_truth[0] + kExtraVertices;
+  folder_.write("zero.txt", std::to_string(source) + " " + std::to_string(target));
+  folder_.write("one.csv", "source;target\n" + std::to_string(source + 1) + ";" +
+                               std::to_string(target + 1) + "\n");
+  ASSERT_EQ(run(arguments("zero", {"--landmarks", path("zero.txt")})).exit_code, 0);
+  ASSERT_EQ(run(arguments("one", {"--landmarks", path("one.csv"), "--one-based"})).exit_code, 0);
+  EXPECT_EQ(bytes("zero/source_to_target.bary.txt"), bytes("one/source_to_target.bary.txt"));
+  EXPECT_EQ(json("one/report.json")["options"]["one-based"], true);
+  EXPECT_EQ(run(arguments("none", {"--one-based"})).exit_code, 2);
 }
 
 TEST_F(MatchTracked, BadLandmarksAreNamed) {
@@ -180,7 +194,8 @@ TEST_F(MatchTracked, BadLandmarksAreNamed) {
   EXPECT_THAT(refusal("0 10\n7 11\n0 12\n"), HasSubstr("line 3: source vertex 0 has a landmark"));
   EXPECT_THAT(refusal("0 10\n5 2\n"), HasSubstr("target vertex 2 is not on the surface"));
   EXPECT_THAT(refusal("0\n1\n"), HasSubstr("line 1: expected an integer"));
-  EXPECT_THAT(refusal("nose tail\n"), HasSubstr("line 1: expected an integer"));
+  EXPECT_THAT(refusal("0 10 1 11\n"), HasSubstr("each landmark has a line of its own"));
+  EXPECT_THAT(refusal("0 10\n1 11 1\n"), HasSubstr("line 2: more than a source and a target"));
   EXPECT_EQ(run(arguments("out", {"--landmarks", path("absent.txt")})).exit_code, 2);
 }
 

@@ -71,10 +71,12 @@ int wait_for_exit(pid_t child) {
 }  // namespace
 
 Outcome run(const std::vector<std::string>& arguments, const RunOptions& options) {
-  const Channel out = open_channel(false), err = open_channel(options.terminal);
+  const Channel out = open_channel(options.all_on_terminal), err = open_channel(options.terminal);
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot fork");
-  if (child == 0) become_program(options.program, arguments, out.writer, err.writer);
+  if (child == 0)
+    become_program(options.program, arguments, out.writer,
+                   options.all_on_terminal ? out.writer : err.writer);
   close(out.writer);
   close(err.writer);
   if (options.interrupt_after) {

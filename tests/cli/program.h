@@ -23,6 +23,8 @@ struct RunOptions {
   std::string program = isomatch_program();
   /// Standard error is a terminal instead of a pipe.
   bool terminal = false;
+  /// Standard output and standard error are the same terminal; all is in `Outcome::output`.
+  bool all_on_terminal = false;
   /// Send SIGINT this long after the start.
   std::optional<std::chrono::milliseconds> interrupt_after = std::nullopt;
 };

@@ -48,7 +48,7 @@ TEST_F(Render, DrawsAResultOfEitherMethod) {
     match({"--method", method});
     const Outcome outcome = render();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-    EXPECT_EQ(outcome.output, "");
+    EXPECT_THAT(outcome.output, HasSubstr("written to " + path("picture.png")));
     EXPECT_THAT(bytes("picture.png"), StartsWith(std::string(kPngSignature)));
     EXPECT_GT(bytes("picture.png").size(), 5000U);
   }

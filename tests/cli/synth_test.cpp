@@ -38,7 +38,7 @@ TEST_F(Synth, WritesTheMeshAndBothTruthsBesideIt) {
   const Outcome outcome = run({"synth", "--shape", "creature", "--vertices", "1000", "--pose", "2",
                                "--seed", "3", "-o", path("made.ply")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_EQ(outcome.output + outcome.errors, "");
+  EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(folder_.names(), ElementsAre("made.ply", "made.sym.vts", "made.vts"));
 
   const SynthShape expected = synthesize({"creature", 1000, 2, 3});
@@ -60,7 +60,7 @@ TEST_F(Synth, BadArgumentsAreNamed) {
 TEST_F(Synth, OutputThatCannotBeWrittenIsRejectedBeforeTheWork) {
   const std::vector<std::string> large = {"--vertices", "4000000", "-o"};
   const auto start = std::chrono::steady_clock::now();
-  for (const std::string& name : {path("a.txt"), path("missing/a.off")})
+  for (const std::string& name : {path("a.txt"), std::string("/proc/missing/a.off")})
     EXPECT_THAT(rejection({large[0], large[1], large[2], name}), StartsWith("isomatch: " + name));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }

@@ -93,7 +93,7 @@ TEST_F(MapIo, EmptyAndMissingFilesFail) {
 }
 
 TEST_F(MapIo, LandmarksKeepTheirOrder) {
-  EXPECT_THAT(read_landmarks(folder_.write("pairs.txt", "2 5 nose\n\n0 9\n"), {4, 10}),
+  EXPECT_THAT(read_landmarks(folder_.write("pairs.txt", "2 5 # nose\n\n0 9\n"), {4, 10}),
               ElementsAre(Match{2, 5}, Match{0, 9}));
 }
 
@@ -102,6 +102,21 @@ TEST_F(MapIo, LandmarksOfNumpyAreRead) {
               ElementsAre(Match{2, 5}));
   EXPECT_THAT(read_vertex_list(folder_.write("list.txt", "# v\n2.0e+00\n0\n"), 3),
               ElementsAre(2, 0));
+}
+
+TEST_F(MapIo, LandmarksOfSpreadsheetsAreRead) {
+  for (const char* content :
+       {"2,5\n0,9\n", "\"source\",\"target\"\r\n2,5\r\n0,9\r\n", "2;5\n0;9", "s;t\n2; 5\n0 ;9\n",
+        "2\t5\n0\t9\n", "# by hand\nsource target\n\n2 5 # nose\n0 9\n"})
+    EXPECT_THAT(read_landmarks(folder_.write("pairs.csv", content), {4, 10}),
+                ElementsAre(Match{2, 5}, Match{0, 9}))
+        << content;
+}
+
+TEST_F(MapIo, LandmarksFromOneAreShifted) {
+  EXPECT_THAT(
+      read_landmarks(folder_.write("pairs.txt", "4 10\n1 1\n"), {4, 10}, Numbering::kFromOne),
+      ElementsAre(Match{3, 9}, Match{0, 0}));
 }
 
 TEST_F(MapIo, VertexListsNamedVtsAreNumberedFromOne) {
@@ -117,6 +132,14 @@ TEST_F(MapIo, BadLandmarksNameLine) {
   EXPECT_THAT(failure("2 5\n3 -1\n"), HasSubstr("line 2: vertex -1 is out of range: the target"));
   EXPECT_THAT(failure("3\n1\n2\n0\n"), HasSubstr("line 1: expected an integer"));
   EXPECT_EQ(failure("\n"), "no landmarks in it");
+  EXPECT_EQ(failure("nose tail\n"), "no landmarks in it");
+  EXPECT_THAT(failure("2 5\n0 9 1\n"),
+              HasSubstr("line 2: more than a source and a target vertex, '1'"));
+  EXPECT_THAT(failure("2 5 0 9 1 3\n"), HasSubstr("each landmark has a line of its own"));
+  EXPECT_THAT(failure("2,5,nose\n"), HasSubstr("line 1: more than a source and a target"));
+  EXPECT_THAT(failure("2,,5\n"), HasSubstr("line 1: expected an integer, but the column is empty"));
+  EXPECT_THAT(failure("2,5\n0;9\n"), HasSubstr("separated by ',' before, and by ';' here"));
+  EXPECT_THAT(failure("s t\nO 9\n"), HasSubstr("line 2: expected an integer, found 'O'"));
 }
 
 TEST_F(MapIo, ReadsPointsOnTriangles) {

@@ -42,6 +42,27 @@ TEST(ValuesIo, WhatNumpyWritesIsRead) {
   EXPECT_EQ(read_values(path, 2)(0, 0), 3);
 }
 
+TEST(ValuesIo, WhatSpreadsheetsWriteIsRead) {
+  const test::TemporaryFolder folder;
+  Eigen::MatrixXd expected(2, 2);
+  expected << 0.5, 2, -1, 4e3;
+  for (const char* content : {"height,age\n0.5,2\n-1,4000\n", "0.5;2\n-1;4e3", ".5\t2\n-1\t4000\n"})
+    EXPECT_EQ(read_values(folder.write("file.csv", content), 2), expected) << content;
+  EXPECT_THAT(read_labels(folder.write("file.csv", "\"part\"\n3\n-1\n"), 2), ElementsAre(3, -1));
+  EXPECT_THAT(values_error("0,5;2\n-1;4\n"), EndsWith("by ',' before, and by ';' here"));
+  EXPECT_THAT(values_error("1,,2\n3,4,5\n"), EndsWith("but the column is empty"));
+}
+
+TEST(ValuesIo, CommaSeparatedFilesHaveCommas) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("file.CSV");
+  Eigen::MatrixXd values(1, 2);
+  values << 0.5, 2;
+  write_values(path, values);
+  EXPECT_EQ(test::read_file(path), "0.5,2\n");
+  EXPECT_EQ(read_values(path, 1), values);
+}
+
 TEST(ValuesIo, RoundTripsAreExact) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path("file.txt");

@@ -73,9 +73,9 @@ bool has_grave_defects(const MatchInputs& inputs) {
          !inputs.target.diagnosis.grave_warnings().empty();
 }
 
-void warn_of_grave_defects(const MatchInputs& inputs) {
+void warn_of_defects(const MatchInputs& inputs) {
   for (const MatchInput* input : {&inputs.source, &inputs.target})
-    for (const std::string& warning : input->diagnosis.grave_warnings()) warn(input->path, warning);
+    for (const std::string& warning : input->diagnosis.warnings()) warn(input->path, warning);
 }
 
 std::vector<std::vector<int>> input_vertices(const Surface& surface) {

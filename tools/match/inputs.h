@@ -41,14 +41,14 @@ MatchInputs load_inputs(const MatchArguments& arguments, const Context& context)
 /// Whether one of the meshes has a defect for which no map is to be trusted without a look.
 bool has_grave_defects(const MatchInputs& inputs);
 
-/// Tells of these defects on standard error.
-void warn_of_grave_defects(const MatchInputs& inputs);
+/// Tells of all defects on standard error, where no summary does.
+void warn_of_defects(const MatchInputs& inputs);
 
 /// Input vertices of each surface vertex: several where a seam was joined.
 std::vector<std::vector<int>> input_vertices(const Surface& surface);
 
 /// Fractions of the progress at which matching begins and writing begins.
-inline constexpr double kLoaded = 0.1, kMatched = 0.95;
+inline constexpr double kLoaded = 0.03, kMatched = 0.98;
 
 /// `context` for matching, with its progress between these fractions. Keeps a reference.
 Context matching_part(const Context& context);

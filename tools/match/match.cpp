@@ -10,7 +10,10 @@
 #include "match/method.h"
 #include "page/options.h"
 #include "page/page.h"
+#include "result/input_files.h"
+#include "result/parent_folders.h"
 #include "result/written_files.h"
+#include "say.h"
 
 namespace isomatch::cli {
 namespace {
@@ -56,7 +59,11 @@ void add_common_options(CLI::App& command, MatchCommand& match) {
       ->required();
   command.add_option("TARGET", arguments.target, "OFF, OBJ, PLY, STL, GLB, glTF or MAT file")
       ->required();
-  command.add_option("-o,--output", arguments.folder, "Folder for the results")->required();
+  command
+      .add_option("-o,--output", arguments.folder,
+                  "Folder for the results; missing ones are made, also above it")
+      ->type_name("DIR")
+      ->required();
   command
       .add_option("--method", match.method,
                   "tracked: no flips, points on triangles; paper: Sahillioglu and Yemez 2011")
@@ -71,11 +78,13 @@ void add_common_options(CLI::App& command, MatchCommand& match) {
 void run_match(const MatchCommand& match, const Context& context) {
   const MatchArguments& arguments = match.arguments;
   if (match.report) check_page_available();
+  check_folder_name(arguments.folder);
+  const ParentFolders parents(arguments.folder);
   match.methods.at(match.method)(arguments, context);
   if (!match.report) return;
   const std::string page = (std::filesystem::path(arguments.folder) / kPage).string();
   write_page(page, arguments.folder, {arguments.source, arguments.target}, match.page, context);
-  if (!arguments.quiet) fmt::print("to look at it, open {}\n", page);
+  if (!arguments.quiet) say("to look at it, open {}", page);
 }
 
 }  // namespace
@@ -92,7 +101,8 @@ void add_match(CLI::App& app, Request& request) {
   add_page_options(command, match->page, kReportGroup);
   set_example(command,
               "isomatch match cat0.off cat1.off -o cats\n"
-              "  isomatch match cat0.off cat1.off -o cats --method paper --levels 6");
+              "  isomatch match cat0.off cat1.off -o cats --method paper --levels 6",
+              "files.md");
   command.callback([match, &command, &request] {
     refuse_options_of_others(command, *match);
     refuse_options_without_report(command, *match);

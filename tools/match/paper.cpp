@@ -8,6 +8,7 @@
 #include "match/option_names.h"
 #include "match/paper_output.h"
 #include "match/report.h"
+#include "progress_bar.h"
 
 namespace isomatch::cli {
 namespace {
@@ -30,6 +31,7 @@ Json paper_options_json(const MatchArguments& arguments, const PaperArguments& p
 }
 
 void print_summary(const PaperRun& run, const std::string& folder) {
+  ProgressBar::make_room();
   const PaperLevel& last = run.result.levels.back();
   const DistortionSummary distortion = summarize(last.distortion);
   fmt::print("{} matches at level {}, D_iso {:.4f}, maximum {:.4f} (over the largest geodesic)\n",
@@ -56,7 +58,7 @@ void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
                      {source.unit * source.max_geodesic, target.unit * target.max_geodesic}};
   context.report(kMatched, "writing");
   write_paper(plan, run);
-  arguments.quiet ? warn_of_grave_defects(run.inputs) : print_summary(run, arguments.folder);
+  arguments.quiet ? warn_of_defects(run.inputs) : print_summary(run, arguments.folder);
 }
 
 }  // namespace

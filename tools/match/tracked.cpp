@@ -8,11 +8,13 @@
 
 #include "isomatch/error.h"
 #include "isomatch/map_io.h"
+#include "load.h"
 #include "match/input_numbers.h"
 #include "match/method.h"
 #include "match/option_names.h"
 #include "match/report.h"
 #include "match/tracked_output.h"
+#include "progress_bar.h"
 
 namespace isomatch::cli {
 namespace {
@@ -20,13 +22,16 @@ namespace {
 struct TrackedArguments {
   TrackedOptions options;
   std::string landmarks;
+  bool one_based = false;
   bool target_to_source = false;
 };
 
-/// The landmarks in `file` as pairs of surface vertices.
-Correspondence load_landmarks(const std::string& file, const MatchInputs& inputs) {
+/// The landmarks in the file as pairs of surface vertices.
+Correspondence load_landmarks(const TrackedArguments& tracked, const MatchInputs& inputs) {
+  const std::string& file = tracked.landmarks;
   const std::vector<Match> pairs =
-      read_landmarks(file, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()});
+      read_landmarks(file, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()},
+                     tracked.one_based ? Numbering::kFromOne : Numbering::kFromZero);
   try {
     return surface_landmarks(inputs, pairs);
   } catch (const InvalidInput& error) {
@@ -39,6 +44,7 @@ Json tracked_options_json(const MatchArguments& arguments, const TrackedArgument
   add_options(json, tracked.options);
   json["landmarks"] = Json();
   if (!tracked.landmarks.empty()) set_path(json, "landmarks", tracked.landmarks);
+  if (tracked.one_based) json["one-based"] = true;
   json["target-to-source"] = tracked.target_to_source;
   return json;
 }
@@ -52,7 +58,22 @@ std::string describe_confidence(const TrackedRun& run) {
                      result.confidence);
 }
 
+bool may_be_mirrored(const TrackedRun& run) {
+  return !run.result.oriented && !run.options["allow-reflection"];
+}
+
+constexpr std::string_view kMayBeMirrored =
+    "a surface does not tell outside from inside: the map may be mirrored";
+
+/// Of the summary what a user has to know.
+void print_warnings(const TrackedRun& run) {
+  if (!is_clear(run)) warn("choice among maps: " + describe_confidence(run));
+  if (may_be_mirrored(run)) warn(kMayBeMirrored);
+  warn_of_defects(run.inputs);
+}
+
 void print_summary(const TrackedRun& run, const std::string& folder) {
+  ProgressBar::make_room();
   const TrackedResult& result = run.result;
   const TrackedMap& best = result.maps.front();
   fmt::print("{} of {} source vertices matched, energy {:.3g}, distance {:.3g} (at unit area)\n",
@@ -61,8 +82,7 @@ void print_summary(const TrackedRun& run, const std::string& folder) {
   fmt::print("choice among maps: {}\n", describe_confidence(run));
   const std::size_t wanted = run.options["alternatives"];
   if (wanted > 0) fmt::print("{} of {} alternatives found\n", result.maps.size() - 1, wanted);
-  if (!result.oriented && !run.options["allow-reflection"])
-    fmt::print("! a surface does not tell outside from inside: the map may be mirrored\n");
+  if (may_be_mirrored(run)) fmt::print("! {}\n", kMayBeMirrored);
   print_closing(run.inputs, folder);
 }
 
@@ -74,15 +94,14 @@ void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
                 tracked.landmarks);
   check_plan(plan);
   MatchInputs inputs = load_inputs(arguments, context);
-  if (!tracked.landmarks.empty())
-    tracked.options.landmarks = load_landmarks(tracked.landmarks, inputs);
+  if (!tracked.landmarks.empty()) tracked.options.landmarks = load_landmarks(tracked, inputs);
   TrackedResult result = match_tracked(inputs.source.surface, inputs.target.surface,
                                        tracked.options, matching_part(context));
   const TrackedRun run{std::move(inputs), tracked_options_json(arguments, tracked),
                        std::move(result), tracked.target_to_source};
   context.report(kMatched, "writing");
   write_tracked(plan, run);
-  arguments.quiet ? warn_of_grave_defects(run.inputs) : print_summary(run, arguments.folder);
+  arguments.quiet ? print_warnings(run) : print_summary(run, arguments.folder);
 }
 
 }  // namespace
@@ -106,14 +125,21 @@ Method add_tracked_method(CLI::App& command, const std::string& group) {
       .add_flag("!--no-refinement", options.refinement, "Stop after a first, coarse registration")
       ->group(group);
   command.add_option("--alternatives", options.alternatives, "Maps to write besides the best one")
-      ->type_name("K")
+      ->type_name("N")
       ->check(CLI::NonNegativeNumber)
       ->group(group)
       ->capture_default_str();
   command
-      .add_option("--landmarks", tracked->landmarks,
-                  "Vertices that must match: source and target vertex a line, from 0")
+      .add_option(
+          "--landmarks", tracked->landmarks,
+          "Vertices that must match, a text or CSV file: a line each, source vertex and target "
+          "vertex from 0, between them a blank, tab, comma or semicolon; column names in the "
+          "first line, blank lines and comments behind # are passed over")
       ->type_name("FILE")
+      ->group(group);
+  command
+      .add_flag("--one-based", tracked->one_based, "The landmarks' vertices are numbered from 1")
+      ->needs("--landmarks")
       ->group(group);
   command
       .add_flag("--target-to-source", tracked->target_to_source, "Write the inverse map as well")

@@ -9,10 +9,13 @@ void add_page_options(CLI::App& command, PageOptions& options, const std::string
     if (!group.empty()) option->group(group);
     return option;
   };
-  CLI::Option* source = grouped(command.add_option(
-      "--gt-source", options.truth.source, "Ground truth to show errors of: .vts file of SOURCE"));
-  CLI::Option* target = grouped(
-      command.add_option("--gt-target", options.truth.target, "The same of TARGET, line by line"));
+  CLI::Option* source =
+      grouped(command.add_option("--gt-source", options.truth.source,
+                                 "Ground truth to show errors of: .vts file of SOURCE"))
+          ->type_name("FILE");
+  CLI::Option* target = grouped(command.add_option("--gt-target", options.truth.target,
+                                                   "The same of TARGET, line by line"))
+                            ->type_name("FILE");
   source->needs(target);
   target->needs(source);
   grouped(command.add_option("--up", options.view.up,

@@ -6,10 +6,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
+#include "isomatch/mesh_io.h"
 #include "isomatch/texture_io.h"
 #include "result/image_line.h"
 
@@ -23,9 +25,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-bool has_materials(const std::string& path) {
-  return lower_case(fs::path(path).extension().string()) == ".obj";
-}
+bool has_materials(const std::string& path) { return lower_ending(path) == ".obj"; }
 
 /// The images that a file of materials names, as far as they are there.
 std::vector<std::string> images_of(const std::string& library) {
@@ -89,9 +89,22 @@ void InputFiles::refuse(const std::string& output) const {
     throw BadFile(output, "is read here, and would be overwritten; choose another output");
 }
 
+std::string lower_ending(const std::string& path) {
+  return lower_case(fs::path(path).extension().string());
+}
+
+void check_folder_name(const std::string& folder) {
+  constexpr std::array kFiles{".csv", ".html", ".jpeg", ".jpg", ".json",
+                              ".map", ".npz",  ".png",  ".txt", ".vts"};
+  std::error_code error;
+  const bool is_file_name =
+      is_mesh_file_name(folder) || std::ranges::count(kFiles, lower_ending(folder)) > 0;
+  if (is_file_name && !fs::is_directory(folder, error))
+    throw BadFile(folder, "is named like a file, but a folder is written here");
+}
+
 void check_ending(const std::string& path, const std::vector<std::string>& endings) {
-  const std::string ending = lower_case(fs::path(path).extension().string());
-  if (std::ranges::count(endings, ending) == 0)
+  if (std::ranges::count(endings, lower_ending(path)) == 0)
     throw BadFile(path, fmt::format("must be named {} here", fmt::join(endings, " or ")));
 }
 

@@ -33,6 +33,12 @@ class InputFiles {
   std::vector<std::string> paths_;
 };
 
+/// The ending of `path`, with its dot and without capitals.
+std::string lower_ending(const std::string& path);
+
+/// Throws `BadFile` if `folder` is named like a file, and is not there yet.
+void check_folder_name(const std::string& folder);
+
 /// Throws `BadFile` unless `path` ends with one of `endings`, in capitals or not.
 void check_ending(const std::string& path, const std::vector<std::string>& endings);
 

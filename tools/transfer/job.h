@@ -23,6 +23,7 @@ struct TransferArguments {
   std::string image;
   bool keep_faces = false;
   bool same_rest_pose = false;
+  bool quiet = false;
 };
 
 /// Two meshes and the map between them that carries from the one onto the other: the source of the

@@ -2,12 +2,16 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "transfer/outputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <vector>
 
 #include "isomatch/error.h"
 #include "isomatch/map_file.h"
+#include "isomatch/mesh_io.h"
 #include "result/written_files.h"
 
 namespace isomatch::cli {
@@ -31,12 +35,26 @@ void check_frames(const TransferArguments& arguments, const InputFiles& inputs) 
   std::ranges::sort(names);
   if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
     throw BadFile(*twice, "two frames would be written to this name");
+  check_folder_name(arguments.output);
   check_folder_output(arguments.output);
   names.emplace_back(kTransfer);
   check_replaceable(arguments.output, names, Listing::kOfTransfer, inputs);
 }
 
+/// Numbers may have any ending that promises nothing else.
+void check_number_ending(const std::string& path, bool may_be_csv) {
+  constexpr std::array kOthers{".html", ".jpeg", ".jpg", ".json", ".npy", ".npz", ".png", ".zip"};
+  const std::string ending = lower_ending(path);
+  if (is_mesh_file_name(path) || std::ranges::count(kOthers, ending) > 0 ||
+      (ending == ".csv" && !may_be_csv))
+    throw BadFile(path, fmt::format("numbers are written as text here; name it .txt{}",
+                                    may_be_csv ? " or .csv" : ""));
+}
+
 void check_endings(const TransferArguments& arguments) {
+  if (!arguments.values.empty() || !arguments.labels.empty())
+    check_number_ending(arguments.output, true);
+  if (!arguments.skin.empty()) check_number_ending(arguments.output, false);
   if (!arguments.colors.empty()) check_ending(arguments.output, {".ply"});
   if (!arguments.texture.empty()) check_ending(arguments.output, {".obj"});
   if (!arguments.landmarks.empty()) check_map_output(arguments.output);
