@@ -21,7 +21,7 @@ void match(const char* source_file, const char* target_file, const char* map_fil
 
   const isomatch::TrackedResult result = isomatch::match_tracked(source, target);
   const isomatch::TrackedMap& best = result.maps.front();
-  std::cout << "confidence " << result.confidence << '\n';
+  std::cout << "ambiguity " << result.ambiguity << '\n';
 
   // From the numbers of the surfaces back to those of the files.
   const isomatch::SurfaceMap source_to_target =

@@ -53,7 +53,7 @@ class Figures:
         errors = [f"{self.vertices:.2f}", f"{self.points:.2f}"] if self.has_truth else []
         outcome = "flipped" if self.flipped else "wrong" if self.wrong else self.orientation
         return [self.pair.name, *errors, f"{self.d_iso['mean']:.4f}", outcome,
-                f"{self.report['confidence']:.2f}", f"{self.seconds:.2f}"]
+                f"{self.report['ambiguity']:.2f}", f"{self.seconds:.2f}"]
 
 
 class Failure:
@@ -171,7 +171,7 @@ def time_table(all_results):
 def pairs_section(title, results):
     errors = ["error", "points"] if results.has_truth else []
     lines = ["", f"### {title}", ""]
-    lines += table_head(["pair", *errors, "D_iso", "map", "confidence", "seconds"])
+    lines += table_head(["pair", *errors, "D_iso", "map", "ambiguity", "seconds"])
     lines += [table_line(f.cells) for f in results.figures]
     for failure in results.failures:
         lines += ["", ": ".join(failure.cells)]

@@ -53,8 +53,8 @@ struct MeshDiagnosis {
   /// One plain sentence for each defect that matching has to work around; empty for a closed, sound
   /// mesh in one piece.
   std::vector<std::string> warnings() const;
-  /// Those of the warnings for which a map is not to be trusted without a look, so that no choice
-  /// among maps is called clear.
+  /// Those of the warnings for which a map is not to be trusted without a look, so that no fit is
+  /// called good.
   std::vector<std::string> grave_warnings() const;
 };
 

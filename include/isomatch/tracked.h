@@ -47,6 +47,9 @@ struct TrackedMap {
   double distortion = 0, orientation = 0;
   /// Whether it maps the mirror image of the source, see `TrackedOptions::allow_reflection`.
   bool mirrored = false;
+
+  /// How badly the shapes fit under it, by which the finalists are ranked.
+  double cost() const { return energy * distance; }
 };
 
 /// What became of a hypothesis.
@@ -61,10 +64,14 @@ struct TrackedResult {
   std::vector<TrackedMap> maps;
   /// All hypotheses that were judged, best first.
   std::vector<HypothesisSummary> hypotheses;
-  /// 1 - C1 / C2, C the energy times the distance (see `TrackedMap`) of the best map and of the
-  /// best other one: near 0 where the choice is ambiguous. Half way through refinement if no other
-  /// map was followed farther. 1 if there was no other.
-  double confidence = 0;
+  /// C1 / C2 in [0, 1], C the energy times the distance (see `TrackedMap`) of the best map and of
+  /// the best other one: near 1 where the choice is ambiguous. Half way through refinement if no
+  /// other map was followed farther. 0 if there was no other. It does not tell whether the best map
+  /// is right; see `judge_fit`.
+  double ambiguity = 0;
+  /// Those of the landmarks that a map which fits far better does not satisfy. They are kept all
+  /// the same, in every map.
+  Correspondence contradicted_landmarks;
   /// Whether both surfaces tell outside from inside, so that mirrored maps could be excluded.
   bool oriented = false;
   std::vector<StageTime> times;

@@ -3,6 +3,7 @@
 #include "tracked/judging.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "parallel.h"
@@ -50,15 +51,13 @@ double energy(const Model& source, const Model& target, const Hypothesis& hypoth
       .energy;
 }
 
-}  // namespace
-
-std::vector<Judged> judged_hypotheses(const Model& source, const Model& target,
-                                      const TrackerOptions& options, const Context& context) {
+std::vector<Judged> found_and_judged(const Model& source, const Model& target,
+                                     const HypothesisOptions& search, const TrackerOptions& options,
+                                     const Context& context) {
   // Of the time, how much finding takes.
   constexpr double kFound = 0.7;
   std::vector<Hypothesis> hypotheses =
-      find_hypotheses(source.proxy, target.proxy, with_landmarks(source, target, options),
-                      part_of(context, 0, kFound));
+      find_hypotheses(source.proxy, target.proxy, search, part_of(context, 0, kFound));
   const elastic::Projection surface = projection_onto(target.proxy, options.early_projection);
   Steps steps(context, "hypotheses", kFound, 1, static_cast<int>(hypotheses.size()));
   std::vector<Judged> judged(hypotheses.size());
@@ -67,8 +66,49 @@ std::vector<Judged> judged_hypotheses(const Model& source, const Model& target,
     judged[k] = {std::move(hypotheses[k]), e, &source};
     steps.take();
   });
-  if (options.elastic_judging) sort_by_cost(judged);
   return judged;
+}
+
+}  // namespace
+
+Candidates judged_hypotheses(const Model& source, const Model& target,
+                             const TrackerOptions& options, const Context& context) {
+  const bool guided = !options.landmarks.empty();
+  Candidates candidates;
+  candidates.possible = found_and_judged(source, target, with_landmarks(source, target, options),
+                                         options, part_of(context, 0, guided ? 0.5 : 1));
+  if (guided) {
+    // What few landmarks in unlucky places lead to must not hide the map that is found without.
+    for (Judged& free :
+         found_and_judged(source, target, options.hypotheses, options, part_of(context, 0.5, 1))) {
+      const bool possible = std::ranges::all_of(options.landmarks, [&](const Match& landmark) {
+        return satisfies(free.hypothesis, landmark, source, target);
+      });
+      (possible ? candidates.possible : candidates.contradicting).push_back(std::move(free));
+    }
+  }
+  if (options.elastic_judging) {
+    sort_by_cost(candidates.possible);
+    sort_by_cost(candidates.contradicting);
+  }
+  return candidates;
+}
+
+bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Model& source,
+               const Model& target) {
+  // What may be missed by a right hypothesis: they are coarse, and limbs stretch.
+  constexpr float kSlack = 0.1F;
+  const int from = nearest_node(source, vertices.source, source.proxy.num_measured());
+  const int onto = nearest_node(target, vertices.target, target.proxy.num_measured());
+  float nearest = std::numeric_limits<float>::infinity();
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < hypothesis.source_nodes.size(); ++i) {
+    const float distance = source.proxy.node_distance(from, hypothesis.source_nodes[i]);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    at = i;
+  }
+  return target.proxy.node_distance(onto, hypothesis.target_nodes[at]) <= nearest + kSlack;
 }
 
 void sort_by_cost(std::vector<Judged>& judged) {

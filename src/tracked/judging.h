@@ -21,9 +21,20 @@ struct Judged {
   double cost() const { return energy * hypothesis.distortion; }
 };
 
-/// Finds hypotheses and judges them, least cost first.
-std::vector<Judged> judged_hypotheses(const Model& source, const Model& target,
-                                      const TrackerOptions& options, const Context& context);
+/// Hypotheses, each list with the least cost first.
+struct Candidates {
+  std::vector<Judged> possible;
+  /// Those that were found without the landmarks and do not satisfy all of them.
+  std::vector<Judged> contradicting;
+};
+
+/// Finds hypotheses and judges them.
+Candidates judged_hypotheses(const Model& source, const Model& target,
+                             const TrackerOptions& options, const Context& context);
+
+/// Whether the hypothesis, of which both are models, sends the first vertex near the second one.
+bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Model& source,
+               const Model& target);
 
 /// Least cost first.
 void sort_by_cost(std::vector<Judged>& judged);

@@ -66,17 +66,21 @@ std::vector<Model> make_models(const Surface& source, const Surface& target, boo
 }
 
 /// Hypotheses of all sources, least cost first; the first of the models is the target.
-std::vector<Judged> all_judged(const std::vector<Model>& models, const TrackerOptions& options,
-                               const Context& context) {
+Candidates all_judged(const std::vector<Model>& models, const TrackerOptions& options,
+                      const Context& context) {
   const double share = 1.0 / static_cast<double>(models.size() - 1);
-  std::vector<Judged> all;
+  Candidates all;
   for (std::size_t k = 1; k < models.size(); ++k) {
     const double end = static_cast<double>(k) * share;
-    const Context part = part_of(context, end - share, end);
-    std::ranges::move(judged_hypotheses(models[k], models[0], options, part),
-                      std::back_inserter(all));
+    Candidates more =
+        judged_hypotheses(models[k], models[0], options, part_of(context, end - share, end));
+    std::ranges::move(more.possible, std::back_inserter(all.possible));
+    std::ranges::move(more.contradicting, std::back_inserter(all.contradicting));
   }
-  if (models.size() > 2) sort_by_cost(all);
+  if (models.size() > 2) {
+    sort_by_cost(all.possible);
+    sort_by_cost(all.contradicting);
+  }
   return all;
 }
 
@@ -112,17 +116,23 @@ TrackedResult match_tracked(const Surface& source, const Surface& target,
     return make_models(source, target, options.allow_reflection, tracking, part);
   });
   result.oriented = models[0].proxy.oriented && models[1].proxy.oriented;
-  const std::vector<Judged> judged =
+  const Candidates candidates =
       timed("hypotheses", kHypothesesBegin, kRefinementBegin,
             [&](const Context& part) { return all_judged(models, tracking, part); });
-  if (judged.empty())
-    throw InvalidInput("the shapes have too little in common: there is no hypothesis to follow");
-  for (const Judged& j : judged)
+  if (candidates.possible.empty())
+    throw InvalidInput(
+        candidates.contradicting.empty()
+            ? "the shapes have too little in common: there is no hypothesis to follow"
+            : "there is no map that satisfies the landmarks");
+  for (const Judged& j : candidates.possible)
     result.hypotheses.push_back({j.hypothesis.distortion, j.hypothesis.orientation, j.energy});
   const Finals finals =
-      timed("refinement", kRefinementBegin, kDenseMapBegin,
-            [&](const Context& part) { return run_finals(models[0], judged, tracking, part); });
-  result.confidence = finals.confidence;
+      timed("refinement", kRefinementBegin, kDenseMapBegin, [&](const Context& part) {
+        return run_finals(models[0], candidates.possible, tracking, part);
+      });
+  result.contradicted_landmarks = contradicted_landmarks(models[0], candidates.contradicting,
+                                                         finals.middle_cost, tracking, context);
+  result.ambiguity = finals.ambiguity;
   result.maps = timed("dense map", kDenseMapBegin, 1, [&](const Context& part) {
     return dense_maps(finals.tracks, models[0], tracking, part);
   });

@@ -61,15 +61,15 @@ std::vector<const Track*> finalists_of(const std::vector<Track>& middle, const J
   return finalists;
 }
 
-/// How much better the winner fits than other maps.
-double margin(const Track& winner, const std::vector<Track>& tracks) {
+/// How nearly as well as the winner the best other map fits.
+double ambiguity(const Track& winner, const std::vector<Track>& tracks) {
   constexpr double kPerfect = 1e-5;  // Costs below this differ by the meshing alone.
   double own = std::numeric_limits<double>::infinity(), rival = own;
   for (const Track& track : tracks) {
     double& least = same_origin(track.judged, winner.judged) ? own : rival;
     least = std::min(least, kPerfect + track.cost());
   }
-  return std::clamp(1 - own / rival, 0.0, 1.0);
+  return std::clamp(own / rival, 0.0, 1.0);
 }
 
 }  // namespace
@@ -89,13 +89,14 @@ Finals run_finals(const Model& target, const std::vector<Judged>& judged,
              options);
   context.check_stop();
   Finals finals;
+  finals.middle_cost = middle.front().cost();
   const std::vector<const Track*> last = finalists_of(middle, judged.front(), finalists);
   finals.tracks =
       ranked(all_tracks(last, static_cast<int>(last.size()), part_of(context, kMiddle, kFine),
                         [&](const Track* track) { return tracking.finish(*track); }),
              options);
-  finals.confidence =
-      margin(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks : middle);
+  finals.ambiguity =
+      ambiguity(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks : middle);
   if (std::cmp_greater(finals.tracks.size(), options.different_maps))
     finals.tracks.erase(finals.tracks.begin() + options.different_maps, finals.tracks.end());
   context.check_stop();
@@ -106,6 +107,27 @@ Finals run_finals(const Model& target, const std::vector<Judged>& judged,
     steps.take();
   }
   return finals;
+}
+
+Correspondence contradicted_landmarks(const Model& target, const std::vector<Judged>& contradicting,
+                                      double middle_cost, TrackerOptions options,
+                                      const Context& context) {
+  // Right maps fit up to twice as well or as badly with landmarks that are off by an edge.
+  constexpr double kFarBetter = 3;
+  const Correspondence landmarks = std::exchange(options.landmarks, {});
+  const Tracking tracking(target, options, context);
+  std::optional<Correspondence> fewest;
+  for (const Track& track :
+       all_tracks(contradicting, options.entrants, context,
+                  [&](const Judged& judged) { return tracking.begin(judged); })) {
+    if (kFarBetter * track.cost() > middle_cost) continue;
+    Correspondence contradicted;
+    for (const Match& landmark : landmarks)
+      if (!satisfies(track.judged.hypothesis, landmark, *track.judged.source, target))
+        contradicted.push_back(landmark);
+    if (!fewest || contradicted.size() < fewest->size()) fewest = std::move(contradicted);
+  }
+  return fewest.value_or(Correspondence());
 }
 
 }  // namespace isomatch::tracked

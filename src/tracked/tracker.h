@@ -11,12 +11,20 @@ namespace isomatch::tracked {
 struct Finals {
   /// Those that are wanted, best first, all different.
   std::vector<Track> tracks;
-  /// See `TrackedResult::confidence`.
-  double confidence = 1;
+  /// See `TrackedResult::ambiguity`.
+  double ambiguity = 0;
+  /// The least cost on the middle level.
+  double middle_cost = 0;
 };
 
 /// Follows the best of `judged`. Those that end up as the same map count once.
 Finals run_finals(const Model& target, const std::vector<Judged>& judged,
                   const TrackerOptions& options, const Context& context);
+
+/// Those of the landmarks that one of `contradicting` does not satisfy although it fits far better
+/// than `middle_cost`: of such hypotheses the one that contradicts the fewest counts.
+Correspondence contradicted_landmarks(const Model& target, const std::vector<Judged>& contradicting,
+                                      double middle_cost, TrackerOptions options,
+                                      const Context& context);
 
 }  // namespace isomatch::tracked

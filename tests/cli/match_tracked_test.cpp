@@ -70,7 +70,7 @@ TEST_F(MatchTracked, IsTheDefaultAndWritesPointsOnTriangles) {
   EXPECT_GT(report["hypotheses"].size(), 0);
   for (const char* figure : {"energy", "distance", "deviation", "distortion", "orientation"})
     EXPECT_GT(report["map"][figure], 0) << figure;
-  EXPECT_GE(report["confidence"], 0);
+  EXPECT_GE(report["ambiguity"], 0);
   EXPECT_GT(report["seconds"]["refinement"], 0);
 }
 

@@ -68,11 +68,6 @@ MatchInputs load_inputs(const MatchArguments& arguments, const Context& context)
   return inputs;
 }
 
-bool has_grave_defects(const MatchInputs& inputs) {
-  return !inputs.source.diagnosis.grave_warnings().empty() ||
-         !inputs.target.diagnosis.grave_warnings().empty();
-}
-
 void warn_of_defects(const MatchInputs& inputs) {
   for (const MatchInput* input : {&inputs.source, &inputs.target})
     for (const std::string& warning : input->diagnosis.warnings()) warn(input->path, warning);

@@ -38,9 +38,6 @@ ResultPlan make_plan(const MatchArguments& arguments, std::vector<std::string> f
 /// against them. Reports progress up to `kLoaded`. Throws `BadFile`.
 MatchInputs load_inputs(const MatchArguments& arguments, const Context& context);
 
-/// Whether one of the meshes has a defect for which no map is to be trusted without a look.
-bool has_grave_defects(const MatchInputs& inputs);
-
 /// Tells of all defects on standard error, where no summary does.
 void warn_of_defects(const MatchInputs& inputs);
 

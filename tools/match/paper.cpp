@@ -30,13 +30,14 @@ Json paper_options_json(const MatchArguments& arguments, const PaperArguments& p
   return json;
 }
 
-void print_summary(const PaperRun& run, const std::string& folder) {
-  ProgressBar::make_room();
-  const PaperLevel& last = run.result.levels.back();
+Summary summary_of(const PaperResult& result) {
+  const PaperLevel& last = result.levels.back();
   const DistortionSummary distortion = summarize(last.distortion);
-  fmt::print("{} matches at level {}, D_iso {:.4f}, maximum {:.4f} (over the largest geodesic)\n",
-             last.matches.size(), run.result.levels.size() - 1, distortion.mean, distortion.max);
-  print_closing(run.inputs, folder);
+  return {
+      {fmt::format("{} matches at level {}, D_iso {:.4f}, maximum {:.4f} (over the largest "
+                   "geodesic distance)",
+                   last.matches.size(), result.levels.size() - 1, distortion.mean, distortion.max)},
+      {}};
 }
 
 void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
@@ -52,13 +53,16 @@ void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
   };
   const Shape source = prepared(inputs.source), target = prepared(inputs.target);
   PaperResult result = match_paper(source, target, paper.options, matching_part(context));
+  Fit fit = fit_of(inputs, corner_points(inputs.target.surface.mesh, result.source_to_target), {},
+                   context);
   const PaperRun run{std::move(inputs),
                      paper_options_json(arguments, paper),
                      std::move(result),
-                     {source.unit * source.max_geodesic, target.unit * target.max_geodesic}};
+                     {source.unit * source.max_geodesic, target.unit * target.max_geodesic},
+                     std::move(fit)};
   context.report(kMatched, "writing");
   write_paper(plan, run);
-  arguments.quiet ? warn_of_defects(run.inputs) : print_summary(run, arguments.folder);
+  print_outcome(run.inputs, summary_of(run.result), run.fit, arguments.folder, arguments.quiet);
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ Json report_json(const PaperRun& run, const std::vector<StageTime>& times) {
                  {"complete", run.result.complete},
                  {"matches", last.matches.size()},
                  {"distortion", distortion_json(last.distortion)},
-                 {"many_to_one_distortion", distortion_json(last.many_to_one_distortion)}});
+                 {"many_to_one_distortion", distortion_json(last.many_to_one_distortion)},
+                 {"fit", to_json(run.fit)}});
   report.update(report_tail(times));
   return report;
 }

@@ -10,6 +10,7 @@
 #include "json.h"
 #include "match/inputs.h"
 #include "match/result_folder.h"
+#include "match/verdict.h"
 
 namespace isomatch::cli {
 
@@ -20,6 +21,7 @@ struct PaperRun {
   PaperResult result;
   /// Of source and target, over which distortions are given.
   std::array<double, 2> max_geodesics;
+  Fit fit;
 };
 
 /// Writes into the folder of `plan` (see `ResultFolder`), in the numbers of the input files:

@@ -7,6 +7,7 @@
 
 #include "json.h"
 #include "match/inputs.h"
+#include "match/verdict.h"
 
 namespace isomatch::cli {
 
@@ -20,7 +21,17 @@ Json report_tail(const std::vector<StageTime>& times);
 /// Options of every method as they go into the report.
 Json options_json(const std::string& method, unsigned long seed);
 
-/// The end of the summary: warnings about the meshes, and where the results are.
-void print_closing(const MatchInputs& inputs, const std::string& folder);
+/// What a method tells of a match in its own words.
+struct Summary {
+  /// How it went.
+  std::vector<std::string> lines;
+  /// What else, besides a fit that is not good, should make one look at the map.
+  std::vector<std::string> remarks;
+};
+
+/// Tells how a match went: `summary`, the fit, what is wrong with the map and the meshes, and where
+/// the results are. With `quiet` only what is wrong, on standard error.
+void print_outcome(const MatchInputs& inputs, const Summary& summary, const Fit& fit,
+                   const std::string& folder, bool quiet);
 
 }  // namespace isomatch::cli

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "isomatch/error.h"
@@ -22,21 +23,34 @@ namespace {
 struct TrackedArguments {
   TrackedOptions options;
   std::string landmarks;
+  /// What that file holds.
+  std::vector<Match> pairs;
   bool one_based = false;
   bool target_to_source = false;
 };
 
-/// The landmarks in the file as pairs of surface vertices.
-Correspondence load_landmarks(const TrackedArguments& tracked, const MatchInputs& inputs) {
+void load_landmarks(const MatchInputs& inputs, TrackedArguments& tracked) {
   const std::string& file = tracked.landmarks;
-  const std::vector<Match> pairs =
+  tracked.pairs =
       read_landmarks(file, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()},
                      tracked.one_based ? Numbering::kFromOne : Numbering::kFromZero);
   try {
-    return surface_landmarks(inputs, pairs);
+    tracked.options.landmarks = surface_landmarks(inputs, tracked.pairs);
   } catch (const InvalidInput& error) {
     throw BadFile(file, error.what());
   }
+}
+
+/// Those of `pairs`, between input vertices, that are one of `landmarks`, between surface vertices.
+std::vector<Match> among(const Correspondence& landmarks, const std::vector<Match>& pairs,
+                         const MatchInputs& inputs) {
+  std::vector<Match> found;
+  for (const Match& pair : pairs) {
+    const Match landmark{inputs.source.surface.surface_vertex[pair.source],
+                         inputs.target.surface.surface_vertex[pair.target]};
+    if (std::ranges::count(landmarks, landmark) > 0) found.push_back(pair);
+  }
+  return found;
 }
 
 Json tracked_options_json(const MatchArguments& arguments, const TrackedArguments& tracked) {
@@ -49,41 +63,48 @@ Json tracked_options_json(const MatchArguments& arguments, const TrackedArgument
   return json;
 }
 
-std::string describe_confidence(const TrackedRun& run) {
+/// Says so of an alternative that fits worse than the best map by more than right maps differ.
+void compare(const TrackedMap& best, const TrackedMap& alternative, Fit& fit) {
+  constexpr double kWorse = 1.5;
+  const double times = alternative.cost() / std::max(best.cost(), 1e-300);
+  if (times < kWorse) return;
+  fit.grade = std::max(fit.grade, FitGrade::kDoubtful);
+  fit.reasons.push_back(fmt::format("the best map fits {:.1f} times better", times));
+}
+
+std::vector<Fit> fits_of(const MatchInputs& inputs, const TrackedResult& result,
+                         const Context& context) {
+  std::vector<Fit> fits;
+  for (const TrackedMap& map : result.maps) {
+    fits.push_back(fit_of(inputs, map.source_to_target, {map.mirrored}, context));
+    compare(result.maps.front(), map, fits.back());
+  }
+  return fits;
+}
+
+Summary summary_of(const TrackedRun& run) {
   const TrackedResult& result = run.result;
-  if (has_grave_defects(run.inputs)) return "doubtful: see what is wrong with the shapes below";
-  if (result.confidence >= 1) return "clear: there was no other";
-  if (is_clear(run)) return fmt::format("clear, {:.2f}", result.confidence);
-  return fmt::format("ambiguous, {:.2f}: the second best map differs and is nearly as good",
-                     result.confidence);
-}
-
-bool may_be_mirrored(const TrackedRun& run) {
-  return !run.result.oriented && !run.options["allow-reflection"];
-}
-
-constexpr std::string_view kMayBeMirrored =
-    "a surface does not tell outside from inside: the map may be mirrored";
-
-/// Of the summary what a user has to know.
-void print_warnings(const TrackedRun& run) {
-  if (!is_clear(run)) warn("choice among maps: " + describe_confidence(run));
-  if (may_be_mirrored(run)) warn(kMayBeMirrored);
-  warn_of_defects(run.inputs);
-}
-
-void print_summary(const TrackedRun& run, const std::string& folder) {
-  ProgressBar::make_room();
-  const TrackedResult& result = run.result;
-  const TrackedMap& best = result.maps.front();
-  fmt::print("{} of {} source vertices matched, energy {:.3g}, distance {:.3g} (at unit area)\n",
-             matched_vertices(run, best), run.inputs.source.mesh.num_vertices(), best.energy,
-             best.distance);
-  fmt::print("choice among maps: {}\n", describe_confidence(run));
+  Summary summary;
+  summary.lines.push_back(fmt::format("{} of {} source vertices matched",
+                                      matched_vertices(run, result.maps.front()),
+                                      run.inputs.source.mesh.num_vertices()));
   const std::size_t wanted = run.options["alternatives"];
-  if (wanted > 0) fmt::print("{} of {} alternatives found\n", result.maps.size() - 1, wanted);
-  if (may_be_mirrored(run)) fmt::print("! {}\n", kMayBeMirrored);
-  print_closing(run.inputs, folder);
+  if (wanted > 0)
+    summary.lines.push_back(
+        fmt::format("{} of {} alternatives found", result.maps.size() - 1, wanted));
+  for (const Match& landmark : run.contradicted_landmarks)
+    summary.remarks.push_back(
+        fmt::format("the landmark {} {} contradicts the shapes: a map without it fits far better",
+                    landmark.source, landmark.target));
+  if (is_ambiguous(result))
+    summary.remarks.push_back(
+        fmt::format("ambiguous: another, quite different map fits nearly as well ({:.0f} %); look "
+                    "for a flip, and at what --alternatives writes",
+                    100 * result.ambiguity));
+  if (!result.oriented && !run.options["allow-reflection"])
+    summary.remarks.emplace_back(
+        "a surface does not tell outside from inside: the map may be mirrored");
+  return summary;
 }
 
 void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
@@ -94,14 +115,17 @@ void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
                 tracked.landmarks);
   check_plan(plan);
   MatchInputs inputs = load_inputs(arguments, context);
-  if (!tracked.landmarks.empty()) tracked.options.landmarks = load_landmarks(tracked, inputs);
+  if (!tracked.landmarks.empty()) load_landmarks(inputs, tracked);
   TrackedResult result = match_tracked(inputs.source.surface, inputs.target.surface,
                                        tracked.options, matching_part(context));
-  const TrackedRun run{std::move(inputs), tracked_options_json(arguments, tracked),
-                       std::move(result), tracked.target_to_source};
+  std::vector<Fit> fits = fits_of(inputs, result, context);
+  std::vector<Match> contradicted = among(result.contradicted_landmarks, tracked.pairs, inputs);
+  const TrackedRun run{std::move(inputs),       tracked_options_json(arguments, tracked),
+                       std::move(result),       std::move(fits),
+                       std::move(contradicted), tracked.target_to_source};
   context.report(kMatched, "writing");
   write_tracked(plan, run);
-  arguments.quiet ? print_warnings(run) : print_summary(run, arguments.folder);
+  print_outcome(run.inputs, summary_of(run), run.fits.front(), arguments.folder, arguments.quiet);
 }
 
 }  // namespace

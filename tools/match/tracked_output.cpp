@@ -50,11 +50,11 @@ Json map_json(const TrackedMap& map) {
           {"orientation", map.orientation}, {"mirrored", map.mirrored}};
 }
 
-Json alternatives_json(const std::vector<TrackedMap>& maps) {
+Json alternatives_json(const TrackedRun& run) {
   Json alternatives = Json::array();
-  for (std::size_t k = 1; k < maps.size(); ++k) {
-    Json alternative{{"folder", alternative_folder(k)}};
-    alternative.update(map_json(maps[k]));
+  for (std::size_t k = 1; k < run.result.maps.size(); ++k) {
+    Json alternative{{"folder", alternative_folder(k)}, {"fit", to_json(run.fits[k])}};
+    alternative.update(map_json(run.result.maps[k]));
     alternatives.push_back(alternative);
   }
   return alternatives;
@@ -69,6 +69,12 @@ Json hypotheses_json(const std::vector<HypothesisSummary>& hypotheses) {
   return json;
 }
 
+Json landmarks_json(const std::vector<Match>& landmarks) {
+  Json json = Json::array();
+  for (const Match& landmark : landmarks) json.push_back({landmark.source, landmark.target});
+  return json;
+}
+
 Json report_json(const TrackedRun& run, std::size_t num_matches,
                  const std::vector<StageTime>& times) {
   const TrackedResult& result = run.result;
@@ -78,10 +84,12 @@ Json report_json(const TrackedRun& run, std::size_t num_matches,
                  {"source_vertices_unmatched", run.inputs.source.mesh.num_vertices() - matched},
                  {"matches", num_matches},
                  {"map", map_json(result.maps.front())},
-                 {"confidence", result.confidence},
-                 {"clear", is_clear(run)},
+                 {"fit", to_json(run.fits.front())},
+                 {"ambiguity", result.ambiguity},
+                 {"ambiguous", is_ambiguous(result)},
                  {"oriented", result.oriented},
-                 {"alternatives", alternatives_json(result.maps)},
+                 {"contradicted_landmarks", landmarks_json(run.contradicted_landmarks)},
+                 {"alternatives", alternatives_json(run)},
                  {"hypotheses", hypotheses_json(result.hypotheses)}});
   report.update(report_tail(times));
   return report;
@@ -104,10 +112,10 @@ std::vector<std::string> tracked_files(int alternatives, bool target_to_source) 
   return files;
 }
 
-bool is_clear(const TrackedRun& run) {
+bool is_ambiguous(const TrackedResult& result) {
   // Costs that differ by less may well be those of the other map.
-  constexpr double kClearConfidence = 0.1;
-  return run.result.confidence >= kClearConfidence && !has_grave_defects(run.inputs);
+  constexpr double kClear = 0.9;
+  return result.ambiguity > kClear;
 }
 
 int matched_vertices(const TrackedRun& run, const TrackedMap& map) {

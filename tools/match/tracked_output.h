@@ -8,6 +8,7 @@
 #include "json.h"
 #include "match/inputs.h"
 #include "match/result_folder.h"
+#include "match/verdict.h"
 
 namespace isomatch::cli {
 
@@ -16,15 +17,18 @@ struct TrackedRun {
   MatchInputs inputs;
   Json options;
   TrackedResult result;
+  /// Of each map.
+  std::vector<Fit> fits;
+  /// Landmarks that the shapes contradict, in the numbers of the input files.
+  std::vector<Match> contradicted_landmarks;
   bool target_to_source = false;
 };
 
 /// Of the source's input vertices, those that `map`, one of `run`'s, leads to a point.
 int matched_vertices(const TrackedRun& run, const TrackedMap& map);
 
-/// Whether the best map is the right one as far as can be told: the second best is worse by more
-/// than could be chance, and neither shape has a grave defect.
-bool is_clear(const TrackedRun& run);
+/// Whether a quite different map fits the shapes so nearly as well that it may be the right one.
+bool is_ambiguous(const TrackedResult& result);
 
 /// Writes into the folder of `plan` (see `ResultFolder`), in the numbers of the input files:
 /// - source_to_target.txt: the nearest target vertex of every source vertex;

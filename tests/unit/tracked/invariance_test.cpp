@@ -37,7 +37,7 @@ TEST_F(TrackedInvariance, ThreadsChangeNothing) {
     EXPECT_EQ(a.distortion, b.distortion);
     EXPECT_EQ(a.orientation, b.orientation);
   }
-  EXPECT_EQ(one.confidence, three.confidence);
+  EXPECT_EQ(one.ambiguity, three.ambiguity);
   EXPECT_TRUE(
       std::ranges::equal(one.hypotheses, three.hypotheses, [](const auto& a, const auto& b) {
         return a.distortion == b.distortion && a.orientation == b.orientation &&

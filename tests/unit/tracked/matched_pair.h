@@ -62,8 +62,8 @@ inline void expect_sound(const TrackedResult& result, const Shape& source, const
       EXPECT_TRUE(std::isfinite(figure));
     }
   }
-  EXPECT_GE(result.confidence, 0);
-  EXPECT_LE(result.confidence, 1);
+  EXPECT_GE(result.ambiguity, 0);
+  EXPECT_LE(result.ambiguity, 1);
   EXPECT_FALSE(result.times.empty());
   EXPECT_FALSE(result.hypotheses.empty());
 }

@@ -27,7 +27,7 @@ TEST(Tracked, IsNotConfidentOfAShapeThatTurnsIntoItself) {
   const Shape sphere = prepare_shape(test::icosphere(2));
   const TrackedResult result = match_tracked(sphere.surface, sphere.surface);
   test::expect_sound(result, sphere, sphere);
-  EXPECT_LT(result.confidence, 0.1);
+  EXPECT_GT(result.ambiguity, 0.9);
 }
 
 TEST(Tracked, MatchesOrRefusesTinyMeshes) {

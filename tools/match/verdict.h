@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isomatch/fit.h"
+#include "json.h"
+#include "match/inputs.h"
+
+/// What the program says of a map that it made.
+namespace isomatch::cli {
+
+/// `judge_fit` of a map between the surfaces; not good either if a shape has a grave defect.
+Fit fit_of(const MatchInputs& inputs, const SurfaceMap& map, const FitOptions& options,
+           const Context& context);
+
+/// The grade, the reasons and the measures, under their names.
+Json to_json(const Fit& fit);
+
+/// One line: the grade and the measures that a user can picture.
+std::string describe(const Fit& fit);
+
+/// Why the fit is not good, with the grade, a line each; none of a good one.
+std::vector<std::string> remarks(const Fit& fit);
+
+}  // namespace isomatch::cli
