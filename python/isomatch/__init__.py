@@ -29,7 +29,7 @@ finally:
 
 from ._folders import load
 from ._maps import Points, read_map, write_map
-from ._match import Hypothesis, Level, Map, Match
+from ._match import Fit, Hypothesis, Level, Map, Match
 from ._matching import match
 from ._meshes import Shape, read_mesh, write_mesh
 from ._stages import (
@@ -67,6 +67,7 @@ __version__ = _core.version
 __all__ = [
     "Distortion",
     "ErrorCurve",
+    "Fit",
     "Hypothesis",
     "Level",
     "Map",

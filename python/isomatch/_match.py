@@ -32,6 +32,29 @@ class Hypothesis(NamedTuple):
     coarse_energy: float
 
 
+class Fit(NamedTuple):
+    """Whether a map can be trusted, judged from the map and the two shapes alone. Shares are in
+    [0, 1]; both shapes are scaled to unit area."""
+
+    #: "good", "doubtful" or "poor".
+    grade: str
+    #: Why it is not good, a clause each.
+    reasons: List[str]
+    #: Mean of abs(log(s)), s the factor by which distances between neighbouring places change.
+    stretch: float
+    #: Share of the source around which that is above log(2): torn, folded or sent elsewhere.
+    distorted: float
+    #: Largest mean change of the distances from one place to all others.
+    displacement: float
+    #: Correlation of bumps and hollows with those where they go; 1 where there are none.
+    relief: float
+    #: Share of the target that is not reached, and of the source that has no image.
+    unreached: float
+    unmatched: float
+    #: Share of the source that is turned over; None if a surface has no outside.
+    reversed: Optional[float]
+
+
 class Level(NamedTuple):
     """A level of the paper's method. Vertices are those of the meshes that were given."""
 
@@ -82,8 +105,12 @@ class Map:
     distance: Optional[float]
     #: Whether it maps the mirror image of the source.
     mirrored: bool
+    #: How far it can be trusted.
+    fit: Fit
 
-    def __init__(self, meshes, points, inverse=None, registered_vertices=None, figures=None):
+    def __init__(
+        self, meshes, points, fit, inverse=None, registered_vertices=None, figures=None
+    ):
         self.source, self.target = meshes
         self._inverse = inverse
         self.target_to_source = inverse.vertices if inverse else None
@@ -95,6 +122,7 @@ class Map:
         self.energy = figures.get("energy")
         self.distance = figures.get("distance")
         self.mirrored = figures.get("mirrored", False)
+        self.fit = Fit(**fit)
 
     def __repr__(self):
         return f"<isomatch.Map: {self._described()}>"
@@ -102,7 +130,10 @@ class Map:
     def _described(self):
         matched = np.count_nonzero(self.source_to_target >= 0)
         energy = "" if self.energy is None else f", energy {self.energy:.3g}"
-        return f"{matched} of {len(self.source_to_target)} source vertices matched{energy}"
+        return (
+            f"{matched} of {len(self.source_to_target)} source vertices matched, "
+            f"{self.fit.grade} fit{energy}"
+        )
 
     @functools.cached_property
     def transfer(self) -> Transfer:
@@ -118,9 +149,13 @@ class Match(Map):
     method: Method
     #: Other maps that are worth a look, best first.
     alternatives: List[Map]
-    #: 1 - C1 / C2, with C the cost of the best map and of the best other one: near 0 where the
-    #: choice is ambiguous, 1 if there was no other. None with the paper's method.
-    confidence: Optional[float]
+    #: C1 / C2, with C the cost of the best map and of the best other one: near 1 where the choice is
+    #: ambiguous, 0 if there was no other. It does not say how good the map is; `fit` does. None with
+    #: the paper's method.
+    ambiguity: Optional[float]
+    #: (K, 2) those of the landmarks that a far better map does not satisfy; empty with the paper's
+    #: method.
+    contradicted_landmarks: np.ndarray
     #: Whether both surfaces tell outside from inside, so that mirrored maps were excluded. None
     #: with the paper's method.
     oriented: Optional[bool]
@@ -128,13 +163,20 @@ class Match(Map):
     seconds: Dict[str, float]
 
     def __init__(self, core, method, meshes, landmarks, landmark_file=None):
-        maps = _tracked_maps(core) if method == "tracked" else [{"points": core.points()}]
+        maps = (
+            _tracked_maps(core)
+            if method == "tracked"
+            else [{"points": core.points(), "fit": core.fit(0)}]
+        )
         super().__init__(meshes, **maps[0])
         self._core = core
         self._landmarks, self._landmark_file = landmarks, landmark_file
         self.method = method
         self.alternatives = [Map(meshes, **parts) for parts in maps[1:]]
-        self.confidence = core.confidence if method == "tracked" else None
+        self.ambiguity = core.ambiguity if method == "tracked" else None
+        self.contradicted_landmarks = (
+            core.contradicted_landmarks if method == "tracked" else np.empty((0, 2), np.int32)
+        )
         self.oriented = core.oriented if method == "tracked" else None
         self.seconds = core.seconds
 
@@ -164,7 +206,8 @@ class Match(Map):
         ]
 
     def _doubts(self):
-        return self._core.doubts if self.method == "tracked" else []
+        fit = [f"{self.fit.grade} fit: {reason}" for reason in self.fit.reasons]
+        return fit + (self._core.doubts if self.method == "tracked" else [])
 
     @functools.cached_property
     def correspondence(self) -> np.ndarray:
@@ -300,8 +343,7 @@ class Match(Map):
         )
 
     def __repr__(self):
-        confidence = "" if self.confidence is None else f", confidence {self.confidence:.2f}"
-        return f"<isomatch.Match by the {self.method} method: {self._described()}{confidence}>"
+        return f"<isomatch.Match by the {self.method} method: {self._described()}>"
 
 
 def _tracked_maps(core):
@@ -309,6 +351,7 @@ def _tracked_maps(core):
     return [
         {
             "points": core.points(number),
+            "fit": core.fit(number),
             "inverse": Points(**core.inverse_points(number)) if core.has_inverse else None,
             "registered_vertices": core.registered(number),
             "figures": core.figures(number),

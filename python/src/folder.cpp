@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -114,7 +115,7 @@ TrackedResult figures_of(const Json& report) {
   for (const Json& hypothesis : report.at("hypotheses"))
     result.hypotheses.push_back({hypothesis.at("distortion"), hypothesis.at("orientation"),
                                  hypothesis.at("coarse_energy")});
-  result.confidence = report.at("confidence");
+  result.ambiguity = report.at("ambiguity");
   result.oriented = report.at("oriented");
   result.times = times_of(report);
   return result;
@@ -276,12 +277,22 @@ std::vector<Match> landmarks_of(const MatchResult& folder) {
 
 TrackedMatch tracked_of(const MatchResult& folder, const PreparedMesh& source,
                         const PreparedMesh& target) {
-  cli::MatchInputs inputs = to_inputs(source, target);
-  const bool has_inverse = fs::exists(inverse_file(folder, folder.maps.front()));
-  TrackedResult result = from_report(folder, figures_of);
+  TrackedMatch match;
+  match.inputs = to_inputs(source, target);
+  match.options = folder.report.at("options");
+  match.result = from_report(folder, figures_of);
+  match.has_inverse = fs::exists(inverse_file(folder, folder.maps.front()));
   for (std::size_t k = 0; k < folder.maps.size(); ++k)
-    result.maps.push_back(to_map(folder, inputs, k, has_inverse));
-  return {{std::move(inputs), folder.report.at("options"), std::move(result)}, has_inverse};
+    match.result.maps.push_back(to_map(folder, match.inputs, k, match.has_inverse));
+  from_report(folder, [&](const Json& report) {
+    match.fits.push_back(cli::to_fit(report.at("fit")));
+    for (const Json& alternative : report.at("alternatives"))
+      match.fits.push_back(cli::to_fit(alternative.at("fit")));
+    for (const auto& [s, t] :
+         report.at("contradicted_landmarks").get<std::vector<std::array<int, 2>>>())
+      match.contradicted_landmarks.push_back({s, t});
+  });
+  return match;
 }
 
 cli::PaperRun paper_of(const MatchResult& folder, const PreparedMesh& source,
@@ -294,13 +305,16 @@ cli::PaperRun paper_of(const MatchResult& folder, const PreparedMesh& source,
   result.source_to_target =
       surface_vertices(source.surface(), target.surface(), folder.maps.front().source_to_target);
   std::array<double, 2> max_geodesics{};
+  Fit fit;
   from_report(folder, [&](const Json& report) {
+    fit = cli::to_fit(report.at("fit"));
     result.complete = report.at("complete");
     result.times = times_of(report);
     max_geodesics = {report.at("source").at("max_geodesic"),
                      report.at("target").at("max_geodesic")};
   });
-  return {to_inputs(source, target), folder.report.at("options"), std::move(result), max_geodesics};
+  return {to_inputs(source, target), folder.report.at("options"), std::move(result), max_geodesics,
+          std::move(fit)};
 }
 
 void bind_folder(py::module_& module) {

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "match.h"
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -55,6 +57,22 @@ py::dict to_dict(const std::vector<StageTime>& times) {
   py::dict result;
   for (const StageTime& time : times) result[py::str(time.stage)] = time.seconds;
   return result;
+}
+
+py::dict to_dict(const Fit& fit) {
+  const FitMeasures& measures = fit.measures;
+  py::dict dict;
+  dict["grade"] = py::str(std::string(to_string(fit.grade)));
+  dict["reasons"] = py::cast(fit.reasons);
+  dict["stretch"] = measures.stretch;
+  dict["distorted"] = measures.distorted;
+  dict["displacement"] = measures.displacement;
+  dict["relief"] = measures.relief;
+  dict["unreached"] = measures.unreached;
+  dict["unmatched"] = measures.unmatched;
+  dict["reversed"] = measures.reversed < 0 ? py::object(py::none())
+                                           : py::object(py::float_(measures.reversed));
+  return dict;
 }
 
 }  // namespace isomatch::python

@@ -49,4 +49,7 @@ void rename(cli::MatchInputs& inputs, const SavedAs& saved, std::vector<std::str
 /// Seconds by stage.
 pybind11::dict to_dict(const std::vector<StageTime>& times);
 
+/// Fields under their names.
+pybind11::dict to_dict(const Fit& fit);
+
 }  // namespace isomatch::python

@@ -25,19 +25,24 @@ const char* const kMethod = "paper";
 PaperRun match(const PreparedMesh& source, const PreparedMesh& target, const std::string& geodesics,
                unsigned long seed, const py::dict& keywords, const RunOptions& how) {
   const auto options = to_options<PaperOptions>(keywords);
+  cli::MatchInputs inputs = to_inputs(source, target);
+  Fit fit;
   PaperResult result = run(how, [&](const Context& context) {
-    return match_paper(source.shape(context), target.shape(context), options, context);
+    PaperResult found = match_paper(source.shape(context), target.shape(context), options, context);
+    fit = cli::fit_of(inputs, found, context);
+    return found;
   });
   cli::Json json = report_options(kMethod, seed, options);
   json["geodesics"] = geodesics;
   // Shapes are prepared by now.
   const Shape& source_shape = source.shape({});
   const Shape& target_shape = target.shape({});
-  return {to_inputs(source, target),
+  return {std::move(inputs),
           std::move(json),
           std::move(result),
           {source_shape.unit * source_shape.max_geodesic,
-           target_shape.unit * target_shape.max_geodesic}};
+           target_shape.unit * target_shape.max_geodesic},
+          std::move(fit)};
 }
 
 /// Matches and the distortion of each.
@@ -116,6 +121,7 @@ void bind_paper(py::module_& module) {
       .def("check_save",
            [](const PaperRun& run, const SavedAs& saved) { check_save(saved, files_of(run)); })
       .def("save", save)
+      .def("fit", [](const PaperRun& run, std::size_t) { return to_dict(run.fit); })
       .def_property_readonly("state", [](const PaperRun& run) { return to_state(run); });
   module.def("paper_of_state", to_paper);
   module.def("match_paper", match);

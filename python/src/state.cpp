@@ -77,25 +77,27 @@ TrackedMap to_map(const cli::MatchInputs& inputs, const py::tuple& state) {
 }
 
 py::tuple to_state(const TrackedResult& result) {
-  const auto& [maps, hypotheses, confidence, oriented, times] = result;
+  const auto& [maps, hypotheses, ambiguity, contradicted, oriented, times] = result;
   py::list map_states, summaries;
   for (const TrackedMap& map : maps) map_states.append(to_state(map));
   for (const auto& [distortion, orientation, energy] : hypotheses)
     summaries.append(py::make_tuple(distortion, orientation, energy));
-  return py::make_tuple(map_states, summaries, confidence, oriented, to_state(times));
+  return py::make_tuple(map_states, summaries, ambiguity, to_array(contradicted), oriented,
+                        to_state(times));
 }
 
 TrackedResult to_tracked_result(const cli::MatchInputs& inputs, const py::tuple& state) {
-  check(state.size() == 5);
+  check(state.size() == 6);
   TrackedResult result;
   for (const py::handle map : state[0])
     result.maps.push_back(to_map(inputs, map.cast<py::tuple>()));
   for (const auto& [distortion, orientation, energy] :
        state[1].cast<std::vector<std::tuple<double, double, double>>>())
     result.hypotheses.push_back({distortion, orientation, energy});
-  result.confidence = state[2].cast<double>();
-  result.oriented = state[3].cast<bool>();
-  result.times = to_times(state[4]);
+  result.ambiguity = state[2].cast<double>();
+  result.contradicted_landmarks = to_matches(state[3].cast<py::array>(), "state");
+  result.oriented = state[4].cast<bool>();
+  result.times = to_times(state[5]);
   check(!result.maps.empty());
   return result;
 }
@@ -150,29 +152,40 @@ PaperResult to_paper_result(const cli::MatchInputs& inputs, const py::tuple& sta
 }  // namespace
 
 py::tuple to_state(const TrackedMatch& match) {
-  return py::make_tuple(match.options.dump(), to_state(match.result), match.has_inverse);
+  py::list fits;
+  for (const Fit& fit : match.fits) fits.append(cli::to_json(fit).dump());
+  return py::make_tuple(match.options.dump(), to_state(match.result), fits,
+                        to_array(match.contradicted_landmarks), match.has_inverse);
 }
 
 py::tuple to_state(const cli::PaperRun& run) {
-  return py::make_tuple(run.options.dump(), to_state(run.result), run.max_geodesics);
+  return py::make_tuple(run.options.dump(), to_state(run.result), run.max_geodesics,
+                        cli::to_json(run.fit).dump());
 }
 
 TrackedMatch to_tracked(const PreparedMesh& source, const PreparedMesh& target,
                         const py::tuple& state) {
-  check(state.size() == 3);
-  cli::MatchInputs inputs = to_inputs(source, target);
-  TrackedResult result = to_tracked_result(inputs, state[1].cast<py::tuple>());
-  return {{std::move(inputs), cli::Json::parse(state[0].cast<std::string>()), std::move(result)},
-          state[2].cast<bool>()};
+  check(state.size() == 5);
+  TrackedMatch match;
+  match.inputs = to_inputs(source, target);
+  match.options = cli::Json::parse(state[0].cast<std::string>());
+  match.result = to_tracked_result(match.inputs, state[1].cast<py::tuple>());
+  for (const auto& fit : state[2].cast<std::vector<std::string>>())
+    match.fits.push_back(cli::to_fit(cli::Json::parse(fit)));
+  match.contradicted_landmarks = to_matches(state[3].cast<py::array>(), "state");
+  match.has_inverse = state[4].cast<bool>();
+  check(match.fits.size() == match.result.maps.size());
+  return match;
 }
 
 cli::PaperRun to_paper(const PreparedMesh& source, const PreparedMesh& target,
                        const py::tuple& state) {
-  check(state.size() == 3);
+  check(state.size() == 4);
   cli::MatchInputs inputs = to_inputs(source, target);
   PaperResult result = to_paper_result(inputs, state[1].cast<py::tuple>());
   return {std::move(inputs), cli::Json::parse(state[0].cast<std::string>()), std::move(result),
-          state[2].cast<std::array<double, 2>>()};
+          state[2].cast<std::array<double, 2>>(),
+          cli::to_fit(cli::Json::parse(state[3].cast<std::string>()))};
 }
 
 }  // namespace isomatch::python

@@ -26,12 +26,18 @@ TrackedMatch match(const PreparedMesh& source, const PreparedMesh& target,
                    const py::array& landmarks, unsigned long seed, const py::dict& keywords,
                    const RunOptions& how) {
   auto options = to_options<TrackedOptions>(keywords);
-  cli::MatchInputs inputs = to_inputs(source, target);
-  options.landmarks = cli::surface_landmarks(inputs, to_matches(landmarks, "landmarks"));
-  TrackedResult result = run(how, [&](const Context& context) {
-    return match_tracked(source.surface(), target.surface(), options, context);
+  TrackedMatch match;
+  match.inputs = to_inputs(source, target);
+  match.options = report_options(kMethod, seed, options);
+  const std::vector<Match> pairs = to_matches(landmarks, "landmarks");
+  options.landmarks = cli::surface_landmarks(match.inputs, pairs);
+  match.result = run(how, [&](const Context& context) {
+    TrackedResult result = match_tracked(source.surface(), target.surface(), options, context);
+    match.fits = cli::fits_of(match.inputs, result, context);
+    return result;
   });
-  return {{std::move(inputs), report_options(kMethod, seed, options), std::move(result)}};
+  match.contradicted_landmarks = cli::contradicted_pairs(match.inputs, match.result, pairs);
+  return match;
 }
 
 /// A map from one mesh onto another in both forms.
@@ -61,19 +67,6 @@ py::list hypotheses(const TrackedMatch& run) {
     result.append(
         py::make_tuple(hypothesis.distortion, hypothesis.orientation, hypothesis.coarse_energy));
   return result;
-}
-
-/// What makes the map doubtful besides the meshes themselves.
-std::vector<std::string> doubts(const TrackedMatch& run) {
-  std::vector<std::string> list;
-  if (!cli::is_clear(run) && !cli::has_grave_defects(run.inputs))
-    list.push_back(
-        fmt::format("the choice among maps is ambiguous, confidence {:.2f}: the second "
-                    "best map differs and is nearly as good",
-                    run.result.confidence));
-  if (!run.result.oriented && !run.options.value("allow-reflection", false))
-    list.emplace_back("a surface does not tell outside from inside: the map may be mirrored");
-  return list;
 }
 
 std::vector<std::string> files_of(const TrackedMatch& run, const SavedAs& saved) {
@@ -120,10 +113,16 @@ void bind_tracked(py::module_& module) {
              return to_array(cli::input_matches(run.inputs, run.result.maps.front()));
            })
       .def_property_readonly("hypotheses", hypotheses)
-      .def_property_readonly("doubts", doubts)
+      .def_property_readonly("doubts",
+                             [](const TrackedMatch& run) { return cli::doubts(run); })
+      .def("fit", [](const TrackedMatch& run, std::size_t k) { return to_dict(run.fits.at(k)); })
+      .def_property_readonly("contradicted_landmarks",
+                             [](const TrackedMatch& run) {
+                               return to_array(run.contradicted_landmarks);
+                             })
       .def_property_readonly("has_inverse", [](const TrackedMatch& run) { return run.has_inverse; })
-      .def_property_readonly("confidence",
-                             [](const TrackedMatch& run) { return run.result.confidence; })
+      .def_property_readonly("ambiguity",
+                             [](const TrackedMatch& run) { return run.result.ambiguity; })
       .def_property_readonly("oriented",
                              [](const TrackedMatch& run) { return run.result.oriented; })
       .def_property_readonly("seconds",

@@ -40,7 +40,7 @@ MAP = (
     "source target source_to_target triangles barycentric target_to_source registered_vertices "
     "energy distance mirrored"
 ).split()
-MATCH = "method confidence oriented seconds correspondence levels hypotheses warnings".split()
+MATCH = "method ambiguity oriented seconds correspondence levels hypotheses warnings".split()
 
 
 def vars_of(value, names):
@@ -135,8 +135,8 @@ VARYING = (
 
 def assert_loaded(back, given):
     assert_equal(back, given)
-    assert_equal(vars_of(back, ["method", "confidence", "oriented", "hypotheses"]),
-                 vars_of(given, ["method", "confidence", "oriented", "hypotheses"]))
+    assert_equal(vars_of(back, ["method", "ambiguity", "oriented", "hypotheses"]),
+                 vars_of(given, ["method", "ambiguity", "oriented", "hypotheses"]))
     assert_equal(back.correspondence, given.correspondence)
     assert_equal(back.alternatives, given.alternatives)
     assert back.seconds.items() >= given.seconds.items()

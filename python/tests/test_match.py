@@ -50,11 +50,11 @@ def test_every_vertex_is_in_the_correspondence(tracked, pose1, pose2):
     assert set(tracked.correspondence[:, 1]) == set(range(len(pose2.vertices)))
 
 
-def test_hypotheses_and_confidence(tracked):
+def test_hypotheses_and_ambiguity(tracked):
     assert len(tracked.hypotheses) > 1 and tracked.levels == []
     energies = [hypothesis.coarse_energy for hypothesis in tracked.hypotheses]
     assert min(energies) > 0
-    assert 0 <= tracked.confidence <= 1 and tracked.oriented and not tracked.mirrored
+    assert 0 <= tracked.ambiguity <= 1 and tracked.oriented and not tracked.mirrored
     assert tracked.energy > 0 and tracked.distance > 0
     assert tracked.seconds["refinement"] > 0
 
@@ -69,7 +69,7 @@ def test_levels_of_the_paper(paper):
         assert set(level.matches[:, 1]) == set(level.target_bases)
         assert len(level.distortion) == len(level.matches)
         assert np.array_equal(np.sort(level.source_bases), level.many_to_one[:, 0])
-    assert paper.registered_vertices is None and paper.confidence is None
+    assert paper.registered_vertices is None and paper.ambiguity is None
     matched = paper.source_to_target >= 0
     assert set(np.flatnonzero(matched)) == set(paper.levels[-1].source_bases)
     assert np.all(paper.barycentric[matched].max(axis=1) == 1)

@@ -53,8 +53,7 @@ void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
   };
   const Shape source = prepared(inputs.source), target = prepared(inputs.target);
   PaperResult result = match_paper(source, target, paper.options, matching_part(context));
-  Fit fit = fit_of(inputs, corner_points(inputs.target.surface.mesh, result.source_to_target), {},
-                   context);
+  Fit fit = fit_of(inputs, result, context);
   const PaperRun run{std::move(inputs),
                      paper_options_json(arguments, paper),
                      std::move(result),

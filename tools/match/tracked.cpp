@@ -41,18 +41,6 @@ void load_landmarks(const MatchInputs& inputs, TrackedArguments& tracked) {
   }
 }
 
-/// Those of `pairs`, between input vertices, that are one of `landmarks`, between surface vertices.
-std::vector<Match> among(const Correspondence& landmarks, const std::vector<Match>& pairs,
-                         const MatchInputs& inputs) {
-  std::vector<Match> found;
-  for (const Match& pair : pairs) {
-    const Match landmark{inputs.source.surface.surface_vertex[pair.source],
-                         inputs.target.surface.surface_vertex[pair.target]};
-    if (std::ranges::count(landmarks, landmark) > 0) found.push_back(pair);
-  }
-  return found;
-}
-
 Json tracked_options_json(const MatchArguments& arguments, const TrackedArguments& tracked) {
   Json json = options_json("tracked", arguments.seed);
   add_options(json, tracked.options);
@@ -61,25 +49,6 @@ Json tracked_options_json(const MatchArguments& arguments, const TrackedArgument
   if (tracked.one_based) json["one-based"] = true;
   json["target-to-source"] = tracked.target_to_source;
   return json;
-}
-
-/// Says so of an alternative that fits worse than the best map by more than right maps differ.
-void compare(const TrackedMap& best, const TrackedMap& alternative, Fit& fit) {
-  constexpr double kWorse = 1.5;
-  const double times = alternative.cost() / std::max(best.cost(), 1e-300);
-  if (times < kWorse) return;
-  fit.grade = std::max(fit.grade, FitGrade::kDoubtful);
-  fit.reasons.push_back(fmt::format("the best map fits {:.1f} times better", times));
-}
-
-std::vector<Fit> fits_of(const MatchInputs& inputs, const TrackedResult& result,
-                         const Context& context) {
-  std::vector<Fit> fits;
-  for (const TrackedMap& map : result.maps) {
-    fits.push_back(fit_of(inputs, map.source_to_target, {map.mirrored}, context));
-    compare(result.maps.front(), map, fits.back());
-  }
-  return fits;
 }
 
 Summary summary_of(const TrackedRun& run) {
@@ -92,18 +61,7 @@ Summary summary_of(const TrackedRun& run) {
   if (wanted > 0)
     summary.lines.push_back(
         fmt::format("{} of {} alternatives found", result.maps.size() - 1, wanted));
-  for (const Match& landmark : run.contradicted_landmarks)
-    summary.remarks.push_back(
-        fmt::format("the landmark {} {} contradicts the shapes: a map without it fits far better",
-                    landmark.source, landmark.target));
-  if (is_ambiguous(result))
-    summary.remarks.push_back(
-        fmt::format("ambiguous: another, quite different map fits nearly as well ({:.0f} %); look "
-                    "for a flip, and at what --alternatives writes",
-                    100 * result.ambiguity));
-  if (!result.oriented && !run.options["allow-reflection"])
-    summary.remarks.emplace_back(
-        "a surface does not tell outside from inside: the map may be mirrored");
+  summary.remarks = doubts(run);
   return summary;
 }
 
@@ -119,7 +77,7 @@ void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
   TrackedResult result = match_tracked(inputs.source.surface, inputs.target.surface,
                                        tracked.options, matching_part(context));
   std::vector<Fit> fits = fits_of(inputs, result, context);
-  std::vector<Match> contradicted = among(result.contradicted_landmarks, tracked.pairs, inputs);
+  std::vector<Match> contradicted = contradicted_pairs(inputs, result, tracked.pairs);
   const TrackedRun run{std::move(inputs),       tracked_options_json(arguments, tracked),
                        std::move(result),       std::move(fits),
                        std::move(contradicted), tracked.target_to_source};

@@ -69,6 +69,13 @@ Json hypotheses_json(const std::vector<HypothesisSummary>& hypotheses) {
   return json;
 }
 
+/// Whether a quite different map fits so nearly as well that it may be the right one.
+bool is_ambiguous(const TrackedResult& result) {
+  // Costs that differ by less may well be those of the other map.
+  constexpr double kClear = 0.9;
+  return result.ambiguity > kClear;
+}
+
 Json landmarks_json(const std::vector<Match>& landmarks) {
   Json json = Json::array();
   for (const Match& landmark : landmarks) json.push_back({landmark.source, landmark.target});
@@ -112,10 +119,30 @@ std::vector<std::string> tracked_files(int alternatives, bool target_to_source) 
   return files;
 }
 
-bool is_ambiguous(const TrackedResult& result) {
-  // Costs that differ by less may well be those of the other map.
-  constexpr double kClear = 0.9;
-  return result.ambiguity > kClear;
+std::vector<Match> contradicted_pairs(const MatchInputs& inputs, const TrackedResult& result,
+                                      const std::vector<Match>& pairs) {
+  std::vector<Match> found;
+  for (const Match& pair : pairs) {
+    const Match landmark{inputs.source.surface.surface_vertex[pair.source],
+                         inputs.target.surface.surface_vertex[pair.target]};
+    if (std::ranges::count(result.contradicted_landmarks, landmark) > 0) found.push_back(pair);
+  }
+  return found;
+}
+
+std::vector<std::string> doubts(const TrackedRun& run) {
+  std::vector<std::string> list;
+  for (const auto& [source, target] : run.contradicted_landmarks)
+    list.push_back(fmt::format("the landmark {} {} contradicts the shapes: without it a far better "
+                               "map is found",
+                               source, target));
+  if (is_ambiguous(run.result))
+    list.push_back(fmt::format("ambiguous: another, quite different map fits nearly as well "
+                               "({:.0f} %); look for a flip, and at the alternatives",
+                               100 * run.result.ambiguity));
+  if (!run.result.oriented && !run.options.value("allow-reflection", false))
+    list.emplace_back("a surface does not tell outside from inside: the map may be mirrored");
+  return list;
 }
 
 int matched_vertices(const TrackedRun& run, const TrackedMap& map) {

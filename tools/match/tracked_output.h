@@ -27,8 +27,12 @@ struct TrackedRun {
 /// Of the source's input vertices, those that `map`, one of `run`'s, leads to a point.
 int matched_vertices(const TrackedRun& run, const TrackedMap& map);
 
-/// Whether a quite different map fits the shapes so nearly as well that it may be the right one.
-bool is_ambiguous(const TrackedResult& result);
+/// Those of `pairs`, the landmarks in the numbers of the input files, that the shapes contradict.
+std::vector<Match> contradicted_pairs(const MatchInputs& inputs, const TrackedResult& result,
+                                      const std::vector<Match>& pairs);
+
+/// Besides the fit and the defects of the meshes, why one should look at the map: a sentence each.
+std::vector<std::string> doubts(const TrackedRun& run);
 
 /// Writes into the folder of `plan` (see `ResultFolder`), in the numbers of the input files:
 /// - source_to_target.txt: the nearest target vertex of every source vertex;

@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isomatch::cli {
+
+namespace {
 
 Fit fit_of(const MatchInputs& inputs, const SurfaceMap& map, const FitOptions& options,
            const Context& context) {
@@ -19,6 +22,32 @@ Fit fit_of(const MatchInputs& inputs, const SurfaceMap& map, const FitOptions& o
     fit.reasons.push_back(fmt::format("the {} has a grave defect, see there", name));
   }
   return fit;
+}
+
+/// Says so of an alternative that fits worse than the best map by more than right maps differ.
+void compare(const TrackedMap& best, const TrackedMap& alternative, Fit& fit) {
+  constexpr double kWorse = 1.5;
+  const double times = alternative.cost() / std::max(best.cost(), 1e-300);
+  if (times < kWorse) return;
+  fit.grade = std::max(fit.grade, FitGrade::kDoubtful);
+  fit.reasons.push_back(fmt::format("the best map fits {:.1f} times better", times));
+}
+
+}  // namespace
+
+std::vector<Fit> fits_of(const MatchInputs& inputs, const TrackedResult& result,
+                         const Context& context) {
+  std::vector<Fit> fits;
+  for (const TrackedMap& map : result.maps) {
+    fits.push_back(fit_of(inputs, map.source_to_target, {map.mirrored}, context));
+    compare(result.maps.front(), map, fits.back());
+  }
+  return fits;
+}
+
+Fit fit_of(const MatchInputs& inputs, const PaperResult& result, const Context& context) {
+  return fit_of(inputs, corner_points(inputs.target.surface.mesh, result.source_to_target), {},
+                context);
 }
 
 Json to_json(const Fit& fit) {
@@ -34,6 +63,23 @@ Json to_json(const Fit& fit) {
           {"unreached", measures.unreached},
           {"unmatched", measures.unmatched},
           {"reversed", reversed}};
+}
+
+Fit to_fit(const Json& json) {
+  constexpr std::array kGrades{FitGrade::kGood, FitGrade::kDoubtful, FitGrade::kPoor};
+  Fit fit;
+  const std::string grade = json.at("grade");
+  fit.grade = *std::ranges::find(kGrades.begin(), kGrades.end() - 1, grade, to_string);
+  fit.reasons = json.at("reasons").get<std::vector<std::string>>();
+  FitMeasures& measures = fit.measures;
+  measures.stretch = json.at("stretch");
+  measures.distorted = json.at("distorted");
+  measures.displacement = json.at("displacement");
+  measures.relief = json.at("relief");
+  measures.unreached = json.at("unreached");
+  measures.unmatched = json.at("unmatched");
+  measures.reversed = json.at("reversed").is_null() ? -1 : json.at("reversed").get<double>();
+  return fit;
 }
 
 std::string describe(const Fit& fit) {

@@ -6,18 +6,24 @@
 #include <vector>
 
 #include "isomatch/fit.h"
+#include "isomatch/paper.h"
+#include "isomatch/tracked.h"
 #include "json.h"
 #include "match/inputs.h"
 
 /// What the program says of a map that it made.
 namespace isomatch::cli {
 
-/// `judge_fit` of a map between the surfaces; not good either if a shape has a grave defect.
-Fit fit_of(const MatchInputs& inputs, const SurfaceMap& map, const FitOptions& options,
-           const Context& context);
+/// `judge_fit` of each map; not good either if a shape has a grave defect, or if an alternative fits
+/// far worse than the best map.
+std::vector<Fit> fits_of(const MatchInputs& inputs, const TrackedResult& result,
+                         const Context& context);
+Fit fit_of(const MatchInputs& inputs, const PaperResult& result, const Context& context);
 
 /// The grade, the reasons and the measures, under their names.
 Json to_json(const Fit& fit);
+/// The way back. Throws `Json::exception` if it is not of that form.
+Fit to_fit(const Json& json);
 
 /// One line: the grade and the measures that a user can picture.
 std::string describe(const Fit& fit);
