@@ -103,7 +103,7 @@ def commands_page(program):
     list_of_commands = help_of().split("Subcommands:")[1].split("\n\n")[0]
     for name in re.findall(r"^  (\w+) ", list_of_commands, re.MULTILINE):
         # The default is that of the machine at hand.
-        usage = re.sub(r"=\d+ Threads to use", "   Threads to use; all by default", help_of(name))
+        usage = re.sub(r"=\d+ +Threads to use", "   Threads to use; all by default", help_of(name))
         text += f"\n## isomatch {name}\n\n```text\n{usage}\n```\n"
     return text
 
