@@ -59,12 +59,12 @@ int run_guarded(const std::string& name, const Request& request) {
   }
 }
 
-void parse(CLI::App& app, const std::vector<std::string>& words) {
-  std::vector<std::string> rest = with_help_as_option(words);
+/// Of `words` the first is the program's name.
+void parse(CLI::App& app, std::vector<std::string> words) {
   // CLI11 takes them from the end.
-  std::reverse(rest.begin(), rest.end());
-  rest.pop_back();
-  app.parse(std::move(rest));
+  std::reverse(words.begin(), words.end());
+  words.pop_back();
+  app.parse(std::move(words));
 }
 
 }  // namespace
@@ -78,12 +78,13 @@ void restart_without_spinning(char** argv) {
 int run_program(CLI::App& app, Request& request, int argc, char** argv) {
   const std::string name = app.get_name();
   request.words.assign(argv, argv + argc);
+  const std::vector<std::string> words = with_help_as_option(app, request.words);
   try {
-    parse(app, request.words);
+    parse(app, words);
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}: {}\n", name, usage_error(app, request.words, error));
+    fmt::print(stderr, "{}: {}\n", name, usage_error(app, words, error));
     return kBadInput;
   }
   return run_guarded(name, request);

@@ -90,10 +90,11 @@ std::string usage_error(const CLI::App& app, const std::vector<std::string>& wor
   return fmt::format("{} (see {} --help)", reason.value_or(error.what()), help);
 }
 
-std::vector<std::string> with_help_as_option(std::vector<std::string> words) {
+std::vector<std::string> with_help_as_option(const CLI::App& app, std::vector<std::string> words) {
   if (words.size() < 2 || words[1] != "help") return words;
   words.erase(words.begin() + 1);
-  words.emplace_back("--help");
+  if (words.size() == 1 || std::ranges::count(command_names(app), words[1]) > 0)
+    words.emplace_back("--help");
   return words;
 }
 

@@ -13,8 +13,8 @@ namespace isomatch::cli {
 std::string usage_error(const CLI::App& app, const std::vector<std::string>& words,
                         const CLI::ParseError& error);
 
-/// `words` with `help` as a command turned into `--help`: of the command that follows, or of the
-/// program.
-std::vector<std::string> with_help_as_option(std::vector<std::string> words);
+/// `words` with `help` as a command turned into `--help`: of the command of `app` that follows, or
+/// of the program. A word that follows and is no command stays alone.
+std::vector<std::string> with_help_as_option(const CLI::App& app, std::vector<std::string> words);
 
 }  // namespace isomatch::cli

@@ -45,6 +45,8 @@ TEST(Usage, HelpNeedsNoDashes) {
   EXPECT_EQ(run({"help"}).output, run({"--help"}).output);
   EXPECT_EQ(run({"help", "match"}).output, run({"match", "--help"}).output);
   EXPECT_EQ(run({"help"}).exit_code, 0);
+  EXPECT_THAT(run({"help", "macth"}).errors,
+              HasSubstr("unknown command 'macth'; did you mean match?"));
 }
 
 class HelpOfAll : public testing::TestWithParam<const char*> {};
