@@ -29,6 +29,7 @@ class Map:
     energy: Optional[float]
     distance: Optional[float]
     mirrored: bool
+    fit: Fit
     @property
     def transfer(self) -> Transfer: ...
 
@@ -134,6 +135,17 @@ class ErrorCurve(NamedTuple):
     thresholds: np.ndarray
     shares: np.ndarray
 
+class Fit(NamedTuple):
+    grade: str
+    reasons: List[str]
+    stretch: float
+    distorted: float
+    displacement: float
+    relief: float
+    unreached: float
+    unmatched: float
+    reversed: Optional[float]
+
 class Hypothesis(NamedTuple):
     distortion: float
     orientation: float
@@ -153,7 +165,8 @@ class Level(NamedTuple):
 class Match(Map):
     method: Method
     alternatives: List[Map]
-    confidence: Optional[float]
+    ambiguity: Optional[float]
+    contradicted_landmarks: np.ndarray
     oriented: Optional[bool]
     seconds: Dict[str, float]
     @property

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace isomatch::cli {
@@ -66,10 +65,10 @@ Json to_json(const Fit& fit) {
 }
 
 Fit to_fit(const Json& json) {
-  constexpr std::array kGrades{FitGrade::kGood, FitGrade::kDoubtful, FitGrade::kPoor};
   Fit fit;
   const std::string grade = json.at("grade");
-  fit.grade = *std::ranges::find(kGrades.begin(), kGrades.end() - 1, grade, to_string);
+  for (FitGrade known : {FitGrade::kGood, FitGrade::kDoubtful, FitGrade::kPoor})
+    if (grade == to_string(known)) fit.grade = known;
   fit.reasons = json.at("reasons").get<std::vector<std::string>>();
   FitMeasures& measures = fit.measures;
   measures.stretch = json.at("stretch");
