@@ -171,7 +171,7 @@ def test_everything_has_a_short_name(tracked, paper, pose1, tmp_path):
         tracked.transfer.landmarks([1, 2]), tracked.source, isomatch.error_curve([0, 1]),
         isomatch.Map((tracked.source, tracked.target), {
             "vertices": tracked.source_to_target, "triangles": 0, "barycentric": 0
-        }),
+        }, tracked.fit._asdict()),
     ]
     for thing in things:
         name = type(thing).__name__

@@ -87,7 +87,7 @@ def test_parts_come_back(tracked, paper, pose1, kept):
     assert kept(shape).max_geodesic == shape.max_geodesic
     assert_equal(kept(isomatch.Map((shape, shape), {
         "vertices": np.arange(3), "triangles": np.arange(3), "barycentric": np.eye(3)
-    })).source_to_target, np.arange(3))
+    }, tracked.fit._asdict())).source_to_target, np.arange(3))
     assert_equal(kept(paper.levels[1]), paper.levels[1])
     assert kept(tracked.hypotheses) == tracked.hypotheses
     assert_equal(list(vars(kept(pose1)).values()), list(vars(pose1).values()))

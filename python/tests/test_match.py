@@ -59,6 +59,36 @@ def test_hypotheses_and_ambiguity(tracked):
     assert tracked.seconds["refinement"] > 0
 
 
+def test_a_right_map_has_a_good_fit(tracked):
+    fit = tracked.fit
+    assert fit.grade == "good" and fit.reasons == [] and tracked.warnings == []
+    assert 0 < fit.stretch < 0.2 and fit.relief > 0.6
+    assert 0 == fit.distorted == fit.unreached == fit.unmatched and fit.reversed < 0.045
+
+
+def test_a_map_of_the_paper_is_judged_too(paper):
+    assert paper.fit.grade in ("good", "doubtful", "poor")
+    assert [f"{paper.fit.grade} fit: {reason}" for reason in paper.fit.reasons] == [
+        text for text in paper.warnings if " fit: " in text]
+
+
+def test_a_map_between_different_things_is_poor(tracked):
+    ball = isomatch.synthesize(vertices=1000, seed=1)
+    stretched = (ball.vertices * [1, 1, 6], ball.faces)
+    with pytest.warns(isomatch.MatchWarning, match="fit: "):
+        result = isomatch.match(ball, stretched)
+    assert result.fit.grade == "poor" and result.fit.reasons
+
+
+def test_a_landmark_that_contradicts_the_shapes_is_named(pose1, pose2, tracked):
+    front = int(pose1.rest[:, 2].argmax())
+    behind = int(pose2.rest[:, 2].argmin())
+    with pytest.warns(isomatch.MatchWarning, match=f"landmark {front} {behind} contradicts"):
+        result = isomatch.match(pose1, pose2, landmarks=[[front, behind]])
+    assert result.contradicted_landmarks.tolist() == [[front, behind]]
+    assert tracked.contradicted_landmarks.shape == (0, 2)
+
+
 def test_levels_of_the_paper(paper):
     assert len(paper.levels) == 5 and paper.hypotheses == []
     for coarse, fine in zip(paper.levels, paper.levels[1:]):
