@@ -24,7 +24,7 @@ struct Pair {
   explicit Pair(int vertices)
       : source(make_model(extract_surface(creature(vertices, 1)), false, options, {})),
         target(make_model(extract_surface(creature(vertices, 2)), false, options, {})),
-        judged(judged_hypotheses(source, target, options, {})),
+        judged(judged_hypotheses(source, target, options, {}).possible),
         finals(run_finals(target, judged, options, {})) {}
 
   TrackerOptions options;

@@ -53,7 +53,7 @@ TEST_F(MatchTracked, IsTheDefaultAndWritesPointsOnTriangles) {
   const Outcome outcome = run(arguments("out"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
-  EXPECT_THAT(outcome.output, HasSubstr("source vertices matched, energy"));
+  EXPECT_THAT(outcome.output, HasSubstr("source vertices matched\nfit: good ("));
   EXPECT_THAT(outcome.output, HasSubstr("2 components"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("mirrored")));
   const SurfaceMap map = points("out");

@@ -44,8 +44,8 @@ void warn_of_defects(const MatchInputs& inputs);
 /// Input vertices of each surface vertex: several where a seam was joined.
 std::vector<std::vector<int>> input_vertices(const Surface& surface);
 
-/// Fractions of the progress at which matching begins and writing begins.
-inline constexpr double kLoaded = 0.03, kMatched = 0.98;
+/// Fractions of the progress at which the meshes are loaded, matched and the map is judged.
+inline constexpr double kLoaded = 0.03, kMatched = 0.94, kJudged = 0.98;
 
 /// `context` for matching, with its progress between these fractions. Keeps a reference.
 Context matching_part(const Context& context);

@@ -59,7 +59,7 @@ void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
                      std::move(result),
                      {source.unit * source.max_geodesic, target.unit * target.max_geodesic},
                      std::move(fit)};
-  context.report(kMatched, "writing");
+  context.report(kJudged, "writing");
   write_paper(plan, run);
   print_outcome(run.inputs, summary_of(run.result), run.fit, arguments.folder, arguments.quiet);
 }

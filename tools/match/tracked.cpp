@@ -81,7 +81,7 @@ void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
   const TrackedRun run{std::move(inputs),       tracked_options_json(arguments, tracked),
                        std::move(result),       std::move(fits),
                        std::move(contradicted), tracked.target_to_source};
-  context.report(kMatched, "writing");
+  context.report(kJudged, "writing");
   write_tracked(plan, run);
   print_outcome(run.inputs, summary_of(run), run.fits.front(), arguments.folder, arguments.quiet);
 }

@@ -133,13 +133,15 @@ std::vector<Match> contradicted_pairs(const MatchInputs& inputs, const TrackedRe
 std::vector<std::string> doubts(const TrackedRun& run) {
   std::vector<std::string> list;
   for (const auto& [source, target] : run.contradicted_landmarks)
-    list.push_back(fmt::format("the landmark {} {} contradicts the shapes: without it a far better "
-                               "map is found",
-                               source, target));
+    list.push_back(
+        fmt::format("the landmark {} {} contradicts the shapes: without it a far better "
+                    "map is found",
+                    source, target));
   if (is_ambiguous(run.result))
-    list.push_back(fmt::format("ambiguous: another, quite different map fits nearly as well "
-                               "({:.0f} %); look for a flip, and at the alternatives",
-                               100 * run.result.ambiguity));
+    list.push_back(
+        fmt::format("ambiguous: another, quite different map fits nearly as well "
+                    "({:.0f} %); look for a flip, and at the alternatives",
+                    100 * run.result.ambiguity));
   if (!run.result.oriented && !run.options.value("allow-reflection", false))
     list.emplace_back("a surface does not tell outside from inside: the map may be mirrored");
   return list;

@@ -8,8 +8,9 @@
 #include <cmath>
 
 namespace isomatch::cli {
-
 namespace {
+
+constexpr const char* kStage = "fit";
 
 Fit fit_of(const MatchInputs& inputs, const SurfaceMap& map, const FitOptions& options,
            const Context& context) {
@@ -34,8 +35,9 @@ void compare(const TrackedMap& best, const TrackedMap& alternative, Fit& fit) {
 
 }  // namespace
 
-std::vector<Fit> fits_of(const MatchInputs& inputs, const TrackedResult& result,
-                         const Context& context) {
+std::vector<Fit> fits_of(const MatchInputs& inputs, TrackedResult& result, const Context& context) {
+  context.report(kMatched, kStage);
+  const StageTimer timer(result.times, kStage);
   std::vector<Fit> fits;
   for (const TrackedMap& map : result.maps) {
     fits.push_back(fit_of(inputs, map.source_to_target, {map.mirrored}, context));
@@ -44,7 +46,9 @@ std::vector<Fit> fits_of(const MatchInputs& inputs, const TrackedResult& result,
   return fits;
 }
 
-Fit fit_of(const MatchInputs& inputs, const PaperResult& result, const Context& context) {
+Fit fit_of(const MatchInputs& inputs, PaperResult& result, const Context& context) {
+  context.report(kMatched, kStage);
+  const StageTimer timer(result.times, kStage);
   return fit_of(inputs, corner_points(inputs.target.surface.mesh, result.source_to_target), {},
                 context);
 }

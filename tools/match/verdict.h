@@ -14,11 +14,10 @@
 /// What the program says of a map that it made.
 namespace isomatch::cli {
 
-/// `judge_fit` of each map; not good either if a shape has a grave defect, or if an alternative fits
-/// far worse than the best map.
-std::vector<Fit> fits_of(const MatchInputs& inputs, const TrackedResult& result,
-                         const Context& context);
-Fit fit_of(const MatchInputs& inputs, const PaperResult& result, const Context& context);
+/// `judge_fit` of each map; not good either if a shape has a grave defect, or if an alternative
+/// fits far worse than the best map. A stage of its own, which is added to the times of `result`.
+std::vector<Fit> fits_of(const MatchInputs& inputs, TrackedResult& result, const Context& context);
+Fit fit_of(const MatchInputs& inputs, PaperResult& result, const Context& context);
 
 /// The grade, the reasons and the measures, under their names.
 Json to_json(const Fit& fit);
