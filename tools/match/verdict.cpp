@@ -6,20 +6,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace isomatch::cli {
 namespace {
 
 constexpr const char* kStage = "fit";
 
+void doubt(Fit& fit, std::string reason) {
+  fit.grade = std::max(fit.grade, FitGrade::kDoubtful);
+  fit.reasons.push_back(std::move(reason));
+}
+
 Fit fit_of(const MatchInputs& inputs, const SurfaceMap& map, const FitOptions& options,
            const Context& context) {
   Fit fit = judge_fit(inputs.source.surface, inputs.target.surface, map, options, context);
   for (const auto& [name, input] :
        {std::pair{"source", &inputs.source}, {"target", &inputs.target}}) {
-    if (input->diagnosis.grave_warnings().empty()) continue;
-    fit.grade = std::max(fit.grade, FitGrade::kDoubtful);
-    fit.reasons.push_back(fmt::format("the {} has a grave defect, see there", name));
+    if (!input->diagnosis.grave_warnings().empty())
+      doubt(fit, fmt::format("the {} has a grave defect, see there", name));
   }
   return fit;
 }
@@ -28,9 +33,7 @@ Fit fit_of(const MatchInputs& inputs, const SurfaceMap& map, const FitOptions& o
 void compare(const TrackedMap& best, const TrackedMap& alternative, Fit& fit) {
   constexpr double kWorse = 1.5;
   const double times = alternative.cost() / std::max(best.cost(), 1e-300);
-  if (times < kWorse) return;
-  fit.grade = std::max(fit.grade, FitGrade::kDoubtful);
-  fit.reasons.push_back(fmt::format("the best map fits {:.1f} times better", times));
+  if (times >= kWorse) doubt(fit, fmt::format("the best map fits {:.1f} times better", times));
 }
 
 }  // namespace
@@ -42,6 +45,8 @@ std::vector<Fit> fits_of(const MatchInputs& inputs, TrackedResult& result, const
   for (const TrackedMap& map : result.maps) {
     fits.push_back(fit_of(inputs, map.source_to_target, {map.mirrored}, context));
     compare(result.maps.front(), map, fits.back());
+    if (!result.contradicted_landmarks.empty())
+      doubt(fits.back(), "landmarks contradict the shapes");
   }
   return fits;
 }

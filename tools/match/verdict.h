@@ -14,8 +14,9 @@
 /// What the program says of a map that it made.
 namespace isomatch::cli {
 
-/// `judge_fit` of each map; not good either if a shape has a grave defect, or if an alternative
-/// fits far worse than the best map. A stage of its own, which is added to the times of `result`.
+/// `judge_fit` of each map; not good either if a shape has a grave defect, if landmarks contradict
+/// the shapes, or if an alternative fits far worse than the best map. A stage of its own, which is
+/// added to the times of `result`.
 std::vector<Fit> fits_of(const MatchInputs& inputs, TrackedResult& result, const Context& context);
 Fit fit_of(const MatchInputs& inputs, PaperResult& result, const Context& context);
 
