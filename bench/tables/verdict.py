@@ -291,7 +291,7 @@ def pair_line(row):
 HEADER = """# The verdict on the fit
 
 Made by `bench/tables/verdict.py` at commit {commit} on {machine}, seed {seed}. The limits were
-calibrated with other pairs of the same sets.
+calibrated with some 130 maps of the same sets, most of them of other pairs.
 
 A map is *right* if less than 1 % of the points of the ground truth land more than .1 sqrt(area) from
 where they belong, *wrong* if more than 3 % do, and *between* otherwise. Where a part is cut off or
