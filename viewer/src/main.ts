@@ -19,10 +19,6 @@ async function start(root: HTMLElement): Promise<void> {
 
 const root = document.getElementById('page')!;
 start(root).catch((error: unknown) => {
-  const message = error instanceof Error ? error.message : String(error);
-  const hint = /webgl/i.test(message)
-    ? 'This browser does not draw in 3D (WebGL). Try another one, or switch hardware acceleration on.'
-    : message;
   root.className = 'failure';
-  root.textContent = hint;
+  root.textContent = error instanceof Error ? error.message : String(error);
 });

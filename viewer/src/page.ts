@@ -10,6 +10,7 @@ import { plots } from './ui/plots';
 import { PointPanel } from './ui/point_panel';
 import { remarks, warnings } from './ui/summary';
 import { themeButton } from './ui/theme';
+import { verdict } from './ui/verdict';
 
 function initialStore(result: Result): Store {
   return new Store({
@@ -27,13 +28,19 @@ function initialStore(result: Result): Store {
   });
 }
 
-function header(result: Result, theme: HTMLElement): HTMLElement {
+function header(result: Result, store: Store, theme: HTMLElement): HTMLElement {
   const { report } = result.manifest;
   const names = `${fileName(report.source.file)} → ${fileName(report.target.file)}`;
   document.title = `${names} – isomatch`;
   const list = h('ul', { class: 'remarks' });
   for (const { kind, text } of remarks(result)) list.append(h('li', { class: kind }, text));
-  return h('header', {}, h('div', { class: 'title' }, h('h1', {}, names), theme), list);
+  return h(
+    'header',
+    {},
+    h('div', { class: 'title' }, h('h1', {}, names), theme),
+    verdict(result, store),
+    list,
+  );
 }
 
 function meshWarnings(result: Result): HTMLElement | null {
@@ -60,6 +67,19 @@ function sideLabels(store: Store): HTMLElement {
   return labels;
 }
 
+/** Nothing where the browser cannot draw it; all else is of use without. */
+function stageIn(box: HTMLElement, result: Result, store: Store): Stage | null {
+  try {
+    return new Stage(box, result, store);
+  } catch (error) {
+    if (!/webgl/i.test(String(error))) throw error;
+    const hint =
+      'This browser does not draw in 3D (WebGL). Try another one, or switch hardware acceleration on.';
+    box.replaceChildren(h('p', { class: 'no-webgl' }, hint));
+    return null;
+  }
+}
+
 /** Builds the page; the first picture is drawn when this returns. */
 export function showPage(root: HTMLElement, result: Result): void {
   const store = initialStore(result);
@@ -76,7 +96,7 @@ export function showPage(root: HTMLElement, result: Result): void {
   const theme = themeButton(() => stage?.redraw());
   const view = h('div', { class: 'view' }, canvasBox, sideLabels(store));
   root.replaceChildren(
-    header(result, theme),
+    header(result, store, theme),
     h(
       'main',
       {},
@@ -84,9 +104,11 @@ export function showPage(root: HTMLElement, result: Result): void {
       controls(result, store, () => stage?.resetViews()),
     ),
   );
-  stage = new Stage(canvasBox, result, store);
-  stage.onColors = (colors) => legend.show(store.state.coloring, colors);
-  legend.show(store.state.coloring, stage.colors);
+  stage = stageIn(canvasBox, result, store);
+  if (stage) {
+    stage.onColors = (colors) => legend.show(store.state.coloring, colors);
+    legend.show(store.state.coloring, stage.colors);
+  }
   point.show(result, store.state);
   store.listen((state) => point.show(result, state));
   // What is below the picture can wait until it is seen.

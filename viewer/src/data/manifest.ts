@@ -46,6 +46,12 @@ export interface MeshReport {
   warnings?: string[];
 }
 
+/** Whether a map can be trusted, see docs/verdict.md. */
+export interface Fit {
+  grade: 'good' | 'doubtful' | 'poor';
+  reasons: string[];
+}
+
 /** The parts of report.json that the page knows; it shows the others as they are. */
 export interface Report {
   isomatch?: string;
@@ -56,11 +62,14 @@ export interface Report {
   target: MeshReport;
   source_vertices_matched?: number;
   source_vertices_unmatched?: number;
-  confidence?: number;
-  clear?: boolean;
+  /** Of results of older versions there is none. */
+  fit?: Fit;
+  ambiguity?: number;
+  ambiguous?: boolean;
+  contradicted_landmarks?: [number, number][];
   oriented?: boolean;
   complete?: boolean;
-  alternatives?: { folder: string; energy: number; distortion: number }[];
+  alternatives?: { folder: string; energy: number; distortion: number; fit?: Fit }[];
   map?: { energy: number; distortion: number };
   hypotheses?: { distortion: number; orientation: number; coarse_energy: number }[];
   seconds?: Record<string, number>;

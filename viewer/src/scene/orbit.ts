@@ -1,6 +1,7 @@
 import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
 
-const FIELD_OF_VIEW = 28;
+/** In degrees, from top to bottom. */
+export const FIELD_OF_VIEW = 28;
 
 /** From where a shape about the origin is looked at. */
 export class Orbit {
@@ -39,12 +40,10 @@ export class Orbit {
     this.zoom = Math.min(40, Math.max(0.2, this.zoom * factor));
   }
 
-  /** Points `camera` so that a box of half sizes `halfWidth` and `halfHeight` fits at zoom 1. */
-  aim(camera: PerspectiveCamera, aspect: number, halfWidth: number, halfHeight: number): void {
-    const tangent = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
-    const half = 1.12 * Math.max(halfHeight, halfWidth / aspect);
-    const distance = half / tangent / this.zoom;
-    const height = 2 * distance * tangent;
+  /** Points `camera` from `farthest` away at zoom 1. */
+  aim(camera: PerspectiveCamera, aspect: number, farthest: number): void {
+    const distance = farthest / this.zoom;
+    const height = 2 * distance * Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
     const place = new Vector3(-this.panX * height, -this.panY * height, distance);
     const inverse = this.rotation.clone().invert();
     camera.fov = FIELD_OF_VIEW;

@@ -111,6 +111,7 @@ class Pointer {
       '-': ({ orbit }) => orbit.scale(1 / 1.15),
       '0': ({ orbit }) => orbit.reset(),
     };
+    if (event.key === 'Escape') this.stage.select(null);
     const action = act[event.key];
     if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();

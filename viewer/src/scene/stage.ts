@@ -3,6 +3,7 @@ import { colorsOf, type Colors, Patches } from '../color/coloring';
 import type { Result, Side } from '../data/result';
 import type { Point, State, Store } from '../state';
 import { drawAnnotations } from './annotations';
+import { Extent } from './extent';
 import { listenToPointer } from './pointer';
 import { Surface } from './surface';
 import { View } from './view';
@@ -20,7 +21,7 @@ export class Stage {
 
   private readonly renderer: WebGLRenderer;
   private readonly overlay: CanvasRenderingContext2D;
-  private readonly halfSize: [number, number];
+  private readonly extent: Extent;
   private width = 1;
   private height = 1;
   private scheduled = false;
@@ -32,7 +33,7 @@ export class Stage {
   ) {
     this.surfaces = { source: new Surface(result.source), target: new Surface(result.target) };
     this.patches = new Patches(result);
-    this.halfSize = this.measure();
+    this.extent = new Extent(result);
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setScissorTest(true);
     const canvas = document.createElement('canvas');
@@ -74,8 +75,10 @@ export class Stage {
     this.redraw();
   }
 
+  /** As the page was at first, without a vertex that was clicked on. */
   resetViews(): void {
     for (const view of Object.values(this.views)) view.orbit.reset();
+    this.select(null);
     this.redraw();
   }
 
@@ -96,19 +99,6 @@ export class Stage {
 
   select(point: Point | null): void {
     this.store.set({ selected: point });
-  }
-
-  /** Half the width and height that both shapes need, as the page first shows them. */
-  private measure(): [number, number] {
-    const half: [number, number] = [0, 0];
-    for (const side of ['source', 'target'] as const) {
-      const { position } = this.result.shape(side);
-      for (let i = 0; i < position.length; i += 3) {
-        half[0] = Math.max(half[0], Math.abs(position[i]!));
-        half[1] = Math.max(half[1], Math.abs(position[i + 1]!));
-      }
-    }
-    return half;
   }
 
   private visibleViews(): View[] {
@@ -185,7 +175,7 @@ export class Stage {
     this.renderer.clear();
     for (const view of this.visibleViews()) {
       const { x, y, width, height } = view.rectangle;
-      view.aim(view.orbit, ...this.halfSize);
+      view.aim(view.orbit, this.extent);
       const bottom = this.height - y - height;
       this.renderer.setViewport(x, bottom, width, height);
       this.renderer.setScissor(x, bottom, width, height);

@@ -1,5 +1,6 @@
 import { Matrix4, PerspectiveCamera, Scene, Vector3 } from 'three';
 import type { Side } from '../data/result';
+import type { Extent } from './extent';
 import { Orbit } from './orbit';
 import type { Surface } from './surface';
 
@@ -32,8 +33,9 @@ export class View {
     return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
   }
 
-  aim(orbit: Orbit, halfWidth: number, halfHeight: number): void {
-    orbit.aim(this.camera, this.rectangle.width / this.rectangle.height, halfWidth, halfHeight);
+  aim(orbit: Orbit, extent: Extent): void {
+    const aspect = this.rectangle.width / this.rectangle.height;
+    orbit.aim(this.camera, aspect, extent.distance(aspect));
   }
 
   private matrix(): Matrix4 {

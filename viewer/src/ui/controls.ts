@@ -3,6 +3,7 @@ import { statistics } from '../data/statistics';
 import type { Coloring, State, Store } from '../state';
 import { h } from './dom';
 import { number } from './format';
+import { playButton } from './player';
 
 interface ColoringChoice {
   value: Coloring;
@@ -162,20 +163,6 @@ function layoutChoice(store: Store): HTMLElement {
   return box;
 }
 
-/** Moves the source to the target's pose, or back, in two seconds. */
-function playMorph(store: Store): void {
-  const from = store.state.morph;
-  const to = from < 0.5 ? 1 : 0;
-  const start = performance.now();
-  const DURATION = 2000;
-  const step = (now: number) => {
-    const share = Math.min(1, Math.max(0, (now - start) / DURATION));
-    store.set({ morph: from + (to - from) * share * share * (3 - 2 * share) });
-    if (share < 1) requestAnimationFrame(step);
-  };
-  requestAnimationFrame(step);
-}
-
 function morphControl(result: Result, store: Store): HTMLElement {
   const bent = slider(store, {
     key: 'morph',
@@ -184,7 +171,7 @@ function morphControl(result: Result, store: Store): HTMLElement {
     step: 0.01,
     describe: (share) => `${Math.round(100 * share)} %`,
   });
-  bent.append(h('button', { type: 'button', id: 'play', click: () => playMorph(store) }, 'Play'));
+  bent.append(playButton(store));
   if (!result.map(0).isRegistered)
     bent.append(h('small', {}, 'This method does not register: vertices move to their matches.'));
   return bent;

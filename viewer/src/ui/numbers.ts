@@ -18,7 +18,7 @@ function keyNumbers(result: Result): [string, string][] {
     ['Target', `${report.target.file}: ${number(target.vertices_given)} vertices`],
   ];
   if (report.map) rows.push(['Elastic energy (unit area)', number(report.map.energy)]);
-  if (report.confidence !== undefined) rows.push(['Confidence', number(report.confidence)]);
+  if (report.ambiguity !== undefined) rows.push(['Ambiguity', number(report.ambiguity)]);
   if (report.hypotheses) rows.push(['Hypotheses judged', number(report.hypotheses.length)]);
   if (report.complete !== undefined)
     rows.push(['All vertices matched', report.complete ? 'yes' : 'no']);

@@ -16,23 +16,28 @@ function coverage(result: Result): Remark {
   const all =
     report.source_vertices_unmatched === undefined ? partner.length : report.source.vertices;
   if (unmatched === 0)
-    return { kind: 'good', text: `Every vertex of the source (${number(all)}) is matched.` };
+    return { kind: 'plain', text: `Every vertex of the source (${number(all)}) is matched.` };
   return {
     kind: 'bad',
     text: `${number(unmatched)} of ${number(all)} vertices of the source have no match and are grey.`,
   };
 }
 
-function choice(report: Report): Remark | null {
-  const { confidence, clear } = report;
-  if (confidence === undefined) return null;
-  if (confidence >= 1) return { kind: 'good', text: 'No other map came into question.' };
-  return clear
-    ? { kind: 'good', text: `The choice among maps was clear (confidence ${number(confidence)}).` }
-    : {
-        kind: 'bad',
-        text: `The choice among maps was close (confidence ${number(confidence)}): another, quite different map is nearly as good. Look for a flip.`,
-      };
+function choice({ ambiguity, ambiguous }: Report): Remark | null {
+  if (!ambiguous || ambiguity === undefined) return null;
+  return {
+    kind: 'bad',
+    text: `Ambiguous: another, quite different map fits nearly as well (${percent(ambiguity)}). Look for a flip.`,
+  };
+}
+
+function landmarks({ contradicted_landmarks: pairs = [] }: Report): Remark | null {
+  if (pairs.length === 0) return null;
+  const names = pairs.map(([source, target]) => `${source} → ${target}`).join(', ');
+  return {
+    kind: 'bad',
+    text: `Landmarks that contradict the shapes: ${names}. Without them a far better map is found.`,
+  };
 }
 
 function orientation(report: Report): Remark | null {
@@ -69,6 +74,7 @@ export function remarks(result: Result): Remark[] {
     truth(result),
     coverage(result),
     choice(report),
+    landmarks(report),
     orientation(report),
     distortion(result),
   ];

@@ -1,4 +1,5 @@
 import { rmSync, statSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { launch, ReportPage, type Rgb } from './page';
@@ -64,6 +65,54 @@ describe('a synthetic pair of 16k vertices, by the tracked method', () => {
     expect(await report.text('.remarks')).toContain('Against the ground truth');
     expect(await report.text('.numbers')).toContain('tracked');
     expect(await report.text('.panel pre >> nth=0')).toContain('match creature1.off creature2.off');
+  });
+
+  it('says first whether the map that is shown can be trusted', async () => {
+    expect(await report.text('.verdict.good .grade')).toContain('Good fit');
+    await report.setSlider('map', 1);
+    expect(await report.text('.verdict.doubtful ul')).toContain('The best map fits');
+    await report.setSlider('map', 0);
+    expect(await report.text('.verdict .grade')).toContain('Good fit');
+  });
+
+  it('plays the bending, and stops when asked or when the slider is moved', async () => {
+    const play = report.page.locator('#play');
+    const morph = () => report.page.locator('#morph').inputValue();
+    await play.click();
+    expect(await play.textContent()).toBe('Stop');
+    await play.click();
+    const stopped = await morph();
+    await report.page.waitForTimeout(200);
+    expect(await morph()).toBe(stopped);
+    expect(await play.textContent()).toBe('Play');
+    await play.click();
+    await report.setSlider('morph', 0);
+    await report.page.waitForTimeout(200);
+    expect(await morph()).toBe('0');
+    expect(await play.textContent()).toBe('Play');
+  });
+
+  it('lets go of a vertex on Escape', async () => {
+    await report.point(0.25, 0.5);
+    await report.page.mouse.down();
+    await report.page.mouse.up();
+    await report.point(0.5, 0.02);
+    expect(await report.text('#point')).toMatch(/source vertex \d+/);
+    await report.page.keyboard.press('Escape');
+    expect(await report.text('#point')).toContain('Point at a shape');
+  });
+
+  it('tells all but the picture where there is no WebGL', async () => {
+    const page = await browser.newPage({ viewport: { width: 390, height: 844 } });
+    await page.addInitScript(() => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    });
+    await page.goto(pathToFileURL(path).href);
+    await page.waitForSelector('html[data-complete]', { timeout: 60_000 });
+    expect(await page.textContent('.no-webgl')).toContain('WebGL');
+    expect(await page.textContent('.verdict')).toContain('Good fit');
+    expect(await page.textContent('.numbers')).toContain('tracked');
+    await page.close();
   });
 
   it('has other colours for each choice', async () => {

@@ -1,11 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import type { Manifest } from '../../src/data/manifest';
+import type { Manifest, Report } from '../../src/data/manifest';
 import { sampledLines, worstByIso, worstByTruth } from '../../src/data/matches';
 import { NONE, Result } from '../../src/data/result';
+import { Extent } from '../../src/scene/extent';
+import { FIELD_OF_VIEW } from '../../src/scene/orbit';
 import type { State } from '../../src/state';
 import { remarks, warnings } from '../../src/ui/summary';
 import { commandLine } from '../../src/ui/numbers';
 import { describePoint } from '../../src/ui/point_panel';
+import { fitOf } from '../../src/ui/verdict';
 
 const UNIT = { low: [0, 0, 0], size: [1, 1, 1] } as const;
 const IDENTITY = [
@@ -31,8 +34,9 @@ function sample(): Result {
       command: ['isomatch', 'match', 'my cat.off', 'b.off'],
       working_folder: '/data',
       options: { method: 'tracked' },
-      confidence: 0.02,
-      clear: false,
+      ambiguity: 0.98,
+      ambiguous: true,
+      contradicted_landmarks: [[5, 60]],
       source: { file: 'my cat.off', vertices: 3, faces: 1, warnings: ['2 components'] },
       target: { file: 'b.off', vertices: 300000, faces: 1 },
     },
@@ -59,6 +63,39 @@ function sample(): Result {
 }
 
 const state = { map: 0, level: 0, lines: 9, hovered: null, selected: null } as unknown as State;
+
+describe('what has to be in sight', () => {
+  it('is within the view at every width, near parts too', () => {
+    const shape = (position: number[]) => ({ position: Float32Array.from(position) });
+    const result = {
+      source: shape([0, 1, 0, 0, -1, 0]),
+      target: shape([0.5, 0, 2]),
+      numMaps: 1,
+      map: () => ({ registered: Float32Array.from([3, 0, 0]) }),
+    } as unknown as Result;
+    const extent = new Extent(result);
+    const tangent = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+    for (const aspect of [0.4, 1, 2.5]) {
+      const distance = extent.distance(aspect);
+      expect(1 / distance).toBeLessThan(tangent);
+      expect(0.5 / (distance - 2)).toBeLessThan(tangent * aspect);
+      expect(3 / distance).toBeLessThan(tangent * aspect);
+    }
+    expect(extent.distance(0.4)).toBeGreaterThan(extent.distance(2.5));
+  });
+});
+
+describe('the fit', () => {
+  it('is that of the map that is shown, and missing in older results', () => {
+    const good = { grade: 'good', reasons: [] };
+    const poor = { grade: 'poor', reasons: ['it is torn'] };
+    const report = { fit: good, alternatives: [{ fit: poor }] } as unknown as Report;
+    expect(fitOf(report, 0)).toBe(good);
+    expect(fitOf(report, 1)).toBe(poor);
+    expect(fitOf({} as Report, 0)).toBeUndefined();
+    expect(fitOf({} as Report, 1)).toBeUndefined();
+  });
+});
 
 describe('a result', () => {
   it('is decoded', () => {
@@ -89,6 +126,7 @@ describe('a result', () => {
     const bad = remarks(result).filter(({ kind }) => kind === 'bad');
     expect(bad.map(({ text }) => text).join(' ')).toContain('Look for a flip');
     expect(bad.map(({ text }) => text).join(' ')).toContain('1 of 3 vertices');
+    expect(bad.map(({ text }) => text).join(' ')).toContain('contradict the shapes: 5 → 60');
     expect(warnings(result)).toEqual([
       'Source: 2 components',
       'Target: simplified for display from 300,000 to 3 vertices. The match itself used all of them.',
