@@ -23,24 +23,26 @@ def unpack(wheel, folder):
             Path(archive.extract(entry, folder)).chmod(entry.external_attr >> 16)
 
 
+def is_binary(file):
+    with file.open("rb") as content:
+        return content.read(4) == b"\x7fELF"
+
+
 def binaries(content):
-    for file in content.rglob("*"):
-        if file.is_file() and file.open("rb").read(4) == b"\x7fELF":
-            yield file
+    return [file for file in content.rglob("*") if file.is_file() and is_binary(file)]
 
 
 def bundle(content):
     """Copies the libraries into isomatch.libs, and lets everything look for them there."""
-    users = list(binaries(content))
-    found = libraries.needed_by(users)
+    found = libraries.needed_by(binaries(content))
     folder = content / "isomatch.libs"
     folder.mkdir()
     names = {name: libraries.unique_name(path) for name, path in found.items()}
     for name, path in found.items():
         shutil.copy(path, folder / names[name])
-        libraries.rename(folder / names[name], names)
-    for file in users:
-        libraries.look_in(file, folder, names)
+        libraries.rename(folder / names[name])
+    for file in binaries(content):
+        libraries.look_in(folder, file, names)
     return found.values()
 
 
@@ -67,7 +69,7 @@ def main(wheel, output):
         [info] = content.glob("*.dist-info")
         (info / "RECORD").unlink()
         add_licenses(info, bundle(content))
-        tag = replace_tag(info, libraries.platform(binaries(content)))
+        tag = replace_tag(info, libraries.platform())
         name = f"{info.stem}-{tag}.whl"
         wheel_file.write_wheel(content, Path(output, name))
         print(name)

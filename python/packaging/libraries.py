@@ -35,21 +35,20 @@ def unique_name(path):
     return f"{stem}-{digest}.so{rest}"
 
 
-def replacements(file, names):
-    needed = output_of("patchelf", "--print-needed", file).split()
-    return [word for name in needed if name in names
-            for word in ("--replace-needed", name, names[name])]
+def patch(file, *change):
+    """One change at a time: patchelf 0.14 confuses the texts of several."""
+    output_of("patchelf", *change, file)
 
 
-def rename(library, names):
-    """Gives a library its file's name, and lets it look for others beside itself."""
-    output_of("patchelf", "--set-soname", library.name, "--set-rpath", "$ORIGIN",
-              *replacements(library, names), library)
+def rename(library):
+    patch(library, "--set-soname", library.name)
 
 
-def look_in(file, folder, names):
-    path = os.path.relpath(folder, file.parent)
-    output_of("patchelf", "--set-rpath", f"$ORIGIN/{path}", *replacements(file, names), file)
+def look_in(folder, file, names):
+    """Lets a binary take the libraries that have new names from a folder."""
+    for name in set(output_of("patchelf", "--print-needed", file).split()) & set(names):
+        patch(file, "--replace-needed", name, names[name])
+    patch(file, "--set-rpath", f"$ORIGIN/{os.path.relpath(folder, file.parent)}")
 
 
 def debian_package(path):
@@ -58,8 +57,7 @@ def debian_package(path):
     return output_of("dpkg-query", "--search", f"*{real}").partition(":")[0]
 
 
-def platform(files):
-    """The oldest glibc that has all symbols that the files ask for: manylinux_2_36_x86_64."""
-    versions = "".join(output_of("readelf", "--version-info", file) for file in files)
-    minor = max(int(minor) for minor in re.findall(r"GLIBC_2\.(\d+)", versions))
+def platform():
+    """This machine's glibc, such as manylinux_2_36_x86_64: libstdc++ is as old as that is."""
+    minor = machine.libc_ver()[1].partition(".")[2]
     return f"manylinux_2_{minor}_{machine.machine()}"
