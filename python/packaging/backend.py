@@ -18,7 +18,7 @@ import wheel_file
 ROOT = Path(__file__).parents[2]
 BUILD = ROOT / "build/release"
 INSTALLED = "lib/python3/dist-packages"  # ISOMATCH_PYTHON_FOLDER
-HINT = "isomatch: what is said above went wrong; scripts/install_packages.sh build python installs what a build needs"
+HINT = "`scripts/install_packages.sh build python` installs what a build needs"
 
 
 def get_requires_for_build_wheel(config_settings=None):
@@ -87,10 +87,5 @@ def pybind11_folder():
 def run(*command):
     try:
         subprocess.run(command, cwd=ROOT, check=True)
-    except FileNotFoundError:
-        print(f"{command[0]} is missing", file=sys.stderr)
-    except subprocess.CalledProcessError:
-        pass
-    else:
-        return
-    sys.exit(HINT)
+    except (FileNotFoundError, subprocess.CalledProcessError) as error:
+        sys.exit(f"isomatch: {error}\n{HINT}")
