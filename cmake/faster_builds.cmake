@@ -6,6 +6,8 @@ set(ISOMATCH_COMMON_HEADERS
     <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <fmt/format.h> <functional>
     <numeric> <optional> <span> <string> <string_view> <utility> <vector>)
 set(ISOMATCH_TOOL_HEADERS ${ISOMATCH_COMMON_HEADERS} <CLI/CLI.hpp> <nlohmann/json.hpp>)
+set(ISOMATCH_PYTHON_HEADERS
+    ${ISOMATCH_COMMON_HEADERS} <pybind11/numpy.h> <pybind11/stl.h>)
 set(ISOMATCH_TEST_HEADERS ${ISOMATCH_COMMON_HEADERS} <gmock/gmock.h> <gtest/gtest.h>)
 
 # The same object files for every checkout of the sources, wherever it lies.

@@ -1,20 +1,17 @@
 #!/bin/bash
-# Builds the Python package for Debian's Python; needs no network once the Debian packages are
-# there. The last line says what to put into the environment.
-# Usage: scripts/build_python.sh [FOLDER]
-#   FOLDER  also put the package there, for example into a virtual environment's site-packages
+# Builds the Python package for Debian's Python without installing it, beside the release; needs no
+# network once the Debian packages are there. The last line says what to put into the environment.
+# Usage: scripts/build_python.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/install_packages.sh build python
-scripts/build.sh python
+python=/usr/bin/python3
+folder=$PWD/build/release/python
 
-folder=build/python/python
-if [ $# -gt 0 ]; then
-  mkdir -p "$1"
-  cp -r "$folder/isomatch" "$1"
-  folder=$1
-fi
-folder=$(realpath "$folder")
-PYTHONPATH=$folder /usr/bin/python3 -c 'import isomatch; print("isomatch", isomatch.__version__)'
+scripts/install_packages.sh build python
+echo "Building: three minutes at first, one after ./demo.sh, else seconds."
+cmake --preset release -DISOMATCH_BUILD_PYTHON=ON -DPython_EXECUTABLE=$python >/dev/null
+scripts/build.sh release isomatch_python_package
+
+PYTHONPATH=$folder $python -c 'import isomatch; print("isomatch", isomatch.__version__, "for", "'$python'")'
 echo "export PYTHONPATH=$folder"

@@ -17,6 +17,10 @@ number of threads, and can be copied and pickled.
 
 import os as _os
 
+from ._requirements import check_python as _check_python
+
+_check_python()
+
 # Idle threads sleep instead of spinning, unless the user decided otherwise. OpenMP reads this once,
 # when it is loaded; the environment of other programs stays as it was.
 _spinning_decided = "OMP_WAIT_POLICY" in _os.environ

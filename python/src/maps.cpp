@@ -36,8 +36,8 @@ std::optional<Numbering> numbering_of(std::optional<bool> one_based) {
 
 /// What of `pairs`, `vertices`, `triangles` and `barycentric` the file has, and whether its
 /// numbering was `assumed`. Nearest vertices of points are added if the target is given.
-py::dict read(const std::string& path, std::optional<int> source_vertices, const GivenMesh& onto,
-              std::optional<bool> one_based) {
+py::dict read_map_file(const std::string& path, std::optional<int> source_vertices,
+                       const GivenMesh& onto, std::optional<bool> one_based) {
   const std::optional<Mesh> target = given_mesh(onto);
   const MapChecks checks = checks_of(source_vertices, target);
   const auto numbering = numbering_of(one_based);
@@ -73,9 +73,9 @@ void complete(MapContent& map, const Mesh& target) {
 }
 
 /// Writes a map of which `vertices`, `points` or both are given, with what the target adds.
-void write(const std::string& path, const std::optional<py::array>& vertices,
-           const std::optional<std::pair<py::array, py::array>>& points, const GivenMesh& onto,
-           bool one_based) {
+void write_map_file(const std::string& path, const std::optional<py::array>& vertices,
+                    const std::optional<std::pair<py::array, py::array>>& points,
+                    const GivenMesh& onto, bool one_based) {
   MapContent map;
   if (vertices) map.source_to_target = to_integers(*vertices, "the map");
   if (points) map.points = to_surface_map(points->first, points->second);
@@ -87,8 +87,8 @@ void write(const std::string& path, const std::optional<py::array>& vertices,
 }  // namespace
 
 void bind_maps(py::module_& module) {
-  module.def("read_map", read);
-  module.def("write_map", write);
+  module.def("read_map", read_map_file);
+  module.def("write_map", write_map_file);
   module.def("read_landmarks",
              [](const std::string& path, int source_vertices, int target_vertices) {
                return to_array(read_landmarks(path, {source_vertices, target_vertices}));

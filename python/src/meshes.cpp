@@ -59,7 +59,7 @@ double max_geodesic(const PreparedMesh& mesh) {
   });
 }
 
-py::tuple read(const std::string& path) {
+py::tuple read_mesh_file(const std::string& path) {
   Mesh mesh;
   {
     const py::gil_scoped_release release;
@@ -68,7 +68,7 @@ py::tuple read(const std::string& path) {
   return py::make_tuple(to_array(std::move(mesh.vertices)), to_array(std::move(mesh.faces)));
 }
 
-void write(const std::string& path, const py::array& vertices, const py::array& faces) {
+void write_mesh_file(const std::string& path, const py::array& vertices, const py::array& faces) {
   const Mesh mesh = to_mesh(vertices, faces);
   const py::gil_scoped_release release;
   write_mesh(path, mesh);
@@ -120,8 +120,8 @@ void bind_meshes(py::module_& module) {
   module.def("make_shape", make_shape);
   module.def("restore_shape", restore_shape, py::arg("path"), py::arg("vertices"), py::arg("faces"),
              py::arg("read_report"), py::arg("geodesics"));
-  module.def("read_mesh", read);
-  module.def("write_mesh", write);
+  module.def("read_mesh", read_mesh_file);
+  module.def("write_mesh", write_mesh_file);
 }
 
 }  // namespace isomatch::python

@@ -15,8 +15,8 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-void write(const std::string& path, const SavedAs& saved, const std::string& source_truth,
-           const std::string& target_truth, const RunOptions& how) {
+void write_page_file(const std::string& path, const SavedAs& saved, const std::string& source_truth,
+                     const std::string& target_truth, const RunOptions& how) {
   cli::PageOptions options;
   options.truth.source = source_truth;
   options.truth.target = target_truth;
@@ -32,7 +32,7 @@ void bind_page(py::module_& module) {
       .def(py::init<std::string, std::string, std::string, std::string, std::vector<std::string>,
                     bool, bool>());
   module.def("has_page", [] { return !cli::page_template().empty(); });
-  module.def("write_page", write);
+  module.def("write_page", write_page_file);
   module.def("check_page", [](const std::string& path, const std::vector<std::string>& meshes) {
     cli::check_page_available();
     cli::check_ending(path, {".html", ".htm"});

@@ -12,7 +12,7 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-py::dict make(const py::dict& keywords, const RunOptions& how) {
+py::dict make_synth_shape(const py::dict& keywords, const RunOptions& how) {
   const auto options = to_options<SynthOptions>(keywords);
   SynthShape shape = run(how, [&](const Context& context) { return synthesize(options, context); });
   py::dict result;
@@ -28,7 +28,7 @@ py::dict make(const py::dict& keywords, const RunOptions& how) {
 
 void bind_synth(py::module_& module) {
   register_options<SynthOptions>(module, "synth");
-  module.def("synthesize", make);
+  module.def("synthesize", make_synth_shape);
 }
 
 }  // namespace isomatch::python

@@ -26,7 +26,7 @@ VertexColors to_colors(const py::array& rows) {
   return {points.begin(), points.end()};
 }
 
-py::dict read(const std::string& path) {
+py::dict read_textured_file(const std::string& path) {
   TexturedMesh textured;
   {
     const py::gil_scoped_release release;
@@ -35,7 +35,8 @@ py::dict read(const std::string& path) {
   return to_dict(std::move(textured));
 }
 
-void write(const std::string& path, const py::tuple& parts, const std::string& library) {
+void write_textured_file(const std::string& path, const py::tuple& parts,
+                         const std::string& library) {
   const TexturedMesh textured = to_textured(parts);
   const py::gil_scoped_release release;
   if (library.empty())
@@ -76,8 +77,8 @@ py::dict to_dict(TexturedMesh textured) {
 }
 
 void bind_textures(py::module_& module) {
-  module.def("read_textured_mesh", read);
-  module.def("write_textured_mesh", write);
+  module.def("read_textured_mesh", read_textured_file);
+  module.def("write_textured_mesh", write_textured_file);
   module.def("material_libraries", [](const std::string& path) {
     py::list names;
     for (const std::string& name : material_libraries(path)) names.append(py::bytes(name));

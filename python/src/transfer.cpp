@@ -50,8 +50,8 @@ SurfaceMap given_map(const PreparedMesh& from, const PreparedMesh& onto, const p
   return points;
 }
 
-Transfer make(const SharedMesh& source, const SharedMesh& target, const py::tuple& source_to_target,
-              const py::tuple& target_to_source) {
+Transfer make_transfer(const SharedMesh& source, const SharedMesh& target,
+                       const py::tuple& source_to_target, const py::tuple& target_to_source) {
   return {source, target, given_map(*source, *target, source_to_target),
           given_map(*target, *source, target_to_source)};
 }
@@ -155,7 +155,7 @@ void bind_transfer(py::module_& module) {
   register_options<PoseTransferOptions>(module, "poses");
   module.def("invert_map", inverse);
   py::class_<Transfer>(module, "Transfer")
-      .def(py::init(&make))
+      .def(py::init(&make_transfer))
       .def(
           "values",
           [](const Transfer& transfer, const Eigen::MatrixXd& values) {
