@@ -12,13 +12,18 @@
 namespace isomatch::tracked {
 namespace {
 
-/// Where the nodes nearest to landmarks belong, up to their distance from these.
-std::vector<elastic::Pin> landmark_pins(const Model& source, const Model& target, int nodes,
+/// Where the nodes nearest to landmarks belong: beside these, as the deformation turns them.
+std::vector<elastic::Pin> landmark_pins(const Model& source, const Model& target,
+                                        const elastic::Deformation& deformation,
                                         const Correspondence& landmarks) {
   std::vector<elastic::Pin> pins;
   for (const Match& match : landmarks) {
     const int node = nearest_node(source, match.source, source.fine.size());
-    if (node < nodes) pins.push_back({node, target.surface.mesh.vertices[match.target]});
+    if (node >= deformation.size()) continue;
+    const Point beside =
+        source.proxy.node_position(node) - source.surface.mesh.vertices[match.source];
+    pins.push_back({node, target.surface.mesh.vertices[match.target] +
+                              deformation.rotations()[node] * beside});
   }
   return pins;
 }
@@ -161,7 +166,7 @@ void Tracking::advance(Track& track, const elastic::Projection& onto,
   context_.check_stop();
   track.registration = register_onto(
       track.cloud, track.deformation, onto, anchors, step,
-      landmark_pins(*track.judged.source, target_, track.source->size(), options_.landmarks));
+      landmark_pins(*track.judged.source, target_, track.deformation, options_.landmarks));
   track.vertices = foot_vertices(target_.proxy.mesh, track.registration.feet);
   set_places(track.cloud, target_.proxy, track.vertices);
 }
