@@ -29,8 +29,7 @@ constexpr float kReach = 0.15F;
 constexpr int kFarSamples = 100;
 /// Heights are measured against a mean of this width.
 constexpr float kReliefWidth = 0.05F;
-/// Standard deviation of heights of a surface that is too even to tell places apart; people and
-/// animals have four to eight times as much.
+/// Standard deviation of heights below which a surface is too even to tell places apart.
 constexpr double kEven = 0.002;
 /// What rounding to vertices may do to a distance.
 constexpr float kNoise = 0.02F;
