@@ -1,6 +1,6 @@
 import type { Result } from './data/result';
 import { Stage } from './scene/stage';
-import { Store } from './state';
+import { type State, Store } from './state';
 import { controls } from './ui/controls';
 import { h } from './ui/dom';
 import { fileName } from './ui/format';
@@ -28,18 +28,29 @@ function initialStore(result: Result): Store {
   });
 }
 
+function remarkList(result: Result, store: Store): HTMLElement {
+  const list = h('ul', { class: 'remarks' });
+  const show = ({ map }: Readonly<State>) =>
+    list.replaceChildren(
+      ...remarks(result, map).map(({ kind, text }) => h('li', { class: kind }, text)),
+    );
+  store.listen((state, changed) => {
+    if (changed.has('map')) show(state);
+  });
+  show(store.state);
+  return list;
+}
+
 function header(result: Result, store: Store, theme: HTMLElement): HTMLElement {
   const { report } = result.manifest;
   const names = `${fileName(report.source.file)} → ${fileName(report.target.file)}`;
   document.title = `${names} – isomatch`;
-  const list = h('ul', { class: 'remarks' });
-  for (const { kind, text } of remarks(result)) list.append(h('li', { class: kind }, text));
   return h(
     'header',
     {},
     h('div', { class: 'title' }, h('h1', {}, names), theme),
     verdict(result, store),
-    list,
+    remarkList(result, store),
   );
 }
 
@@ -108,9 +119,9 @@ export function showPage(root: HTMLElement, result: Result): void {
   if (stage) {
     stage.onColors = (colors) => legend.show(store.state.coloring, colors);
     legend.show(store.state.coloring, stage.colors);
+    point.show(result, store.state);
+    store.listen((state) => point.show(result, state));
   }
-  point.show(result, store.state);
-  store.listen((state) => point.show(result, state));
   // What is below the picture can wait until it is seen.
   requestAnimationFrame(() =>
     setTimeout(() => {

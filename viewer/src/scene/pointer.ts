@@ -91,10 +91,13 @@ class Pointer {
     this.stage.hover(null);
   }
 
+  /** Zooms once the shapes were clicked on, or with Ctrl, as pinching a touch pad is told; the page
+   * scrolls otherwise. */
   wheel(event: WheelEvent): void {
+    const wanted = event.ctrlKey || event.metaKey || document.activeElement === this.box;
     const finger = this.at(event);
     const view = this.stage.viewAt(finger.x, finger.y);
-    if (!view) return;
+    if (!wanted || !view) return;
     event.preventDefault();
     this.stage.moveView(view, ({ orbit }) => orbit.scale(Math.exp(-event.deltaY * 0.0015)));
   }
@@ -111,7 +114,6 @@ class Pointer {
       '-': ({ orbit }) => orbit.scale(1 / 1.15),
       '0': ({ orbit }) => orbit.reset(),
     };
-    if (event.key === 'Escape') this.stage.select(null);
     const action = act[event.key];
     if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
@@ -128,5 +130,8 @@ export function listenToPointer(box: HTMLElement, stage: Stage): void {
   box.addEventListener('pointerleave', () => pointer.leave());
   box.addEventListener('wheel', (event) => pointer.wheel(event), { passive: false });
   box.addEventListener('keydown', (event) => pointer.key(event));
+  document.addEventListener('keydown', ({ key }) => {
+    if (key === 'Escape') stage.select(null);
+  });
   box.addEventListener('contextmenu', (event) => event.preventDefault());
 }

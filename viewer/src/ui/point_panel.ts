@@ -1,15 +1,20 @@
 import { NONE, type Result } from '../data/result';
-import type { State } from '../state';
+import type { Point, State } from '../state';
 import { h } from './dom';
 import { number } from './format';
 
-const HINT =
-  'Point at a shape to see where a vertex goes; click to keep it. Drag to turn, wheel or pinch to zoom, Shift and drag to shift; arrow keys, + − and 0 do it too.';
+const MOUSE_HINT =
+  'Point at a shape to see where a vertex goes; click to keep it, Escape lets go. Drag to turn, Shift and drag to shift; the wheel zooms after a click or with Ctrl; arrow keys, + − and 0 do it too.';
+const TOUCH_HINT =
+  'Tap a shape to see where a vertex goes; tap beside it to let go. One finger turns, two zoom and shift.';
 
-/** The vertex under the pointer or clicked on, its partner and their numbers. */
-export function describePoint(result: Result, state: State): string {
-  const point = state.hovered ?? state.selected;
-  if (!point) return HINT;
+/** How to use the shapes with what the viewer has at hand. */
+export const hint = (touch: boolean): string => (touch ? TOUCH_HINT : MOUSE_HINT);
+
+const hasTouch = (): boolean => matchMedia('(hover: none) and (pointer: coarse)').matches;
+
+/** A vertex, its partner and their numbers. */
+export function describePoint(result: Result, state: State, point: Point): string {
   const map = result.map(state.map);
   const { numbers } = result.shape(point.side);
   const own = `${point.side} vertex ${numbers[point.vertex]}`;
@@ -23,11 +28,13 @@ export function describePoint(result: Result, state: State): string {
   return parts.join('  ·  ');
 }
 
+/** Tells of the vertex under the pointer or clicked on, or how to point at one. */
 export class PointPanel {
   readonly element = h('p', { class: 'point', id: 'point', role: 'status' });
 
   show(result: Result, state: State): void {
-    this.element.textContent = describePoint(result, state);
-    this.element.classList.toggle('hint', !(state.hovered ?? state.selected));
+    const point = state.hovered ?? state.selected;
+    this.element.textContent = point ? describePoint(result, state, point) : hint(hasTouch());
+    this.element.classList.toggle('hint', !point);
   }
 }

@@ -8,13 +8,13 @@ export interface Remark {
   text: string;
 }
 
-function coverage(result: Result): Remark {
-  const { partner } = result.map(0);
+function coverage(result: Result, map: number): Remark {
+  const { partner } = result.map(map);
   const { report } = result.manifest;
-  // The page may show fewer vertices than there are; the report counts all.
-  const unmatched = report.source_vertices_unmatched ?? partner.filter((t) => t < 0).length;
-  const all =
-    report.source_vertices_unmatched === undefined ? partner.length : report.source.vertices;
+  // The page may show fewer vertices than there are; the report counts all, of the best map.
+  const counted = map === 0 ? report.source_vertices_unmatched : undefined;
+  const unmatched = counted ?? partner.filter((t) => t < 0).length;
+  const all = counted === undefined ? partner.length : report.source.vertices;
   if (unmatched === 0)
     return { kind: 'plain', text: `Every vertex of the source (${number(all)}) is matched.` };
   return {
@@ -48,16 +48,16 @@ function orientation(report: Report): Remark | null {
   };
 }
 
-function distortion(result: Result): Remark {
-  const { mean, max } = statistics(result.map(0).dIso);
+function distortion(result: Result, map: number): Remark {
+  const { mean, max } = statistics(result.map(map).dIso);
   return {
     kind: 'plain',
     text: `Distances along the surface change by ${percent(mean)} of the shape’s extent on average, ${percent(max)} at the worst vertex (isometric distortion).`,
   };
 }
 
-function truth(result: Result): Remark | null {
-  const { error } = result.map(0);
+function truth(result: Result, map: number): Remark | null {
+  const { error } = result.map(map);
   if (!error) return null;
   const { mean } = statistics(error);
   const near = error.filter((e) => e <= 0.05).length / error.filter((e) => !Number.isNaN(e)).length;
@@ -67,16 +67,16 @@ function truth(result: Result): Remark | null {
   };
 }
 
-/** What a person wants to know first, in plain words. */
-export function remarks(result: Result): Remark[] {
+/** What a person wants to know of the pair and of a map, in plain words. */
+export function remarks(result: Result, map: number): Remark[] {
   const { report } = result.manifest;
   const all = [
-    truth(result),
-    coverage(result),
     choice(report),
     landmarks(report),
     orientation(report),
-    distortion(result),
+    truth(result, map),
+    coverage(result, map),
+    distortion(result, map),
   ];
   return all.filter((remark): remark is Remark => remark !== null);
 }

@@ -71,6 +71,34 @@ describe('a synthetic pair of 16k vertices, by the tracked method', () => {
     expect(await report.text('.verdict.good .grade')).toContain('Good fit');
   });
 
+  it.each([
+    ['good', '✓', 'Good fit', []],
+    ['doubtful', '!', 'Doubtful fit', ['2 % of the target is not reached']],
+    ['poor', '✕', 'Poor fit', ['distances change by a third', 'it is turned over']],
+  ])('has icon, word and reasons of a %s fit in sight', async (grade, icon, word, reasons) => {
+    const edited = reports.withFit(path, grade, { grade, reasons });
+    for (const viewport of [
+      { width: 1280, height: 800 },
+      { width: 390, height: 844 },
+    ]) {
+      const other = await ReportPage.open(browser, edited, { viewport });
+      const title = other.page.locator(`.verdict.${grade} .grade`);
+      expect(await title.textContent()).toBe(icon + word);
+      const box = (await title.boundingBox())!;
+      expect(box.y + box.height).toBeLessThan(viewport.height / 2);
+      const told = await other.page.locator('.verdict li').allTextContents();
+      expect(told.map((text) => text.toLowerCase())).toEqual(reasons.map((text) => `${text}.`));
+      await other.close();
+    }
+  });
+
+  it('has no badge for results of older versions', async () => {
+    const old = await ReportPage.open(browser, reports.withFit(path, 'old', undefined));
+    expect(await old.page.locator('.verdict').isVisible()).toBe(false);
+    await expectShapes(old);
+    await old.close();
+  });
+
   it('plays the bending, and stops when asked or when the slider is moved', async () => {
     const play = report.page.locator('#play');
     const morph = () => report.page.locator('#morph').inputValue();
@@ -98,6 +126,7 @@ describe('a synthetic pair of 16k vertices, by the tracked method', () => {
     expect(await page.textContent('.no-webgl')).toContain('WebGL');
     expect(await page.textContent('.verdict')).toContain('Good fit');
     expect(await page.textContent('.numbers')).toContain('tracked');
+    expect(await page.textContent('#point')).toBe('');
     await page.close();
   });
 
@@ -141,14 +170,23 @@ describe('a synthetic pair of 16k vertices, by the tracked method', () => {
     expect(await report.text('#point')).toContain('Point at a shape');
   });
 
-  it('lets go of a vertex on Escape', async () => {
-    await report.point(0.25, 0.5);
-    await report.page.mouse.down();
-    await report.page.mouse.up();
-    await report.point(0.5, 0.02);
-    expect(await report.text('#point')).toMatch(/source vertex \d+/);
-    await report.page.keyboard.press('Escape');
-    expect(await report.text('#point')).toContain('Point at a shape');
+  it('lets go of a vertex on Escape, wherever the focus is, and when the view is reset', async () => {
+    const letGo = [
+      async () => {
+        await report.page.locator('#lines').focus();
+        await report.page.keyboard.press('Escape');
+      },
+      () => report.page.locator('#reset').click(),
+    ];
+    for (const act of letGo) {
+      await report.point(0.25, 0.5);
+      await report.page.mouse.down();
+      await report.page.mouse.up();
+      await report.point(0.5, 0.02);
+      expect(await report.text('#point')).toMatch(/source vertex \d+/);
+      await act();
+      expect(await report.text('#point')).toContain('Point at a shape');
+    }
   });
 
   it('turns both shapes together, or one alone', async () => {
@@ -173,9 +211,33 @@ describe('a synthetic pair of 16k vertices, by the tracked method', () => {
     expect(await report.halves()).toEqual(start);
   });
 
-  it('obeys the wheel and the keyboard', async () => {
-    await report.point(0.25, 0.5);
-    await expectChange(report, () => report.page.mouse.wheel(0, -300));
+  it('leaves the wheel to the page until the shapes are clicked on', async () => {
+    const scrolled = () => report.page.evaluate(() => scrollY);
+    const wheel = async (delta: number) => {
+      await report.page.mouse.wheel(0, delta);
+      await report.page.waitForTimeout(300);
+    };
+    await report.page.locator('#lines').focus();
+    await report.page.evaluate(() => scrollTo(0, 0));
+    const { x, y, width, height } = (await report.page.locator('#stage').boundingBox())!;
+    await report.page.mouse.move(x + 0.25 * width, y + 0.5 * height);
+    await report.drawn();
+    const start = await report.halves();
+    await wheel(100);
+    expect(await scrolled()).toBeGreaterThan(0);
+    await report.point(0.5, 0.02);
+    expect(await report.halves()).toEqual(start);
+    const before = await scrolled();
+    await report.page.keyboard.down('Control');
+    await expectChange(report, () => wheel(-100));
+    await report.page.keyboard.up('Control');
+    await report.page.locator('#stage').focus();
+    await expectChange(report, () => wheel(-100));
+    expect(await scrolled()).toBe(before);
+    await report.page.locator('#reset').click();
+  });
+
+  it('obeys the keyboard', async () => {
     await report.page.locator('#stage').focus();
     await expectChange(report, () => report.page.keyboard.press('ArrowLeft'));
     await expectChange(report, () => report.page.keyboard.press('+'));
@@ -231,6 +293,9 @@ describe('a synthetic pair of 16k vertices, by the tracked method', () => {
     expect(width).toBeLessThanOrEqual(390);
     const { left, right } = await phone.halves();
     expect(left.pixels + right.pixels).toBeGreaterThan(1000);
+    expect(await phone.text('#point')).toMatch(/^Tap a shape/);
+    const badge = (await phone.page.locator('.verdict .grade').boundingBox())!;
+    expect(badge.y + badge.height).toBeLessThan(400);
     await phone.close();
   });
 });

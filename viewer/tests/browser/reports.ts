@@ -1,5 +1,5 @@
 import { execFile } from 'node:child_process';
-import { existsSync, mkdtempSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -47,5 +47,18 @@ export class Reports {
       ...['--gt-source', truth(source), '--gt-target', truth(target)],
     );
     return join(this.folder, folder, 'report.html');
+  }
+
+  /** A copy of a page that has `fit` for the best map, none if it is undefined. */
+  withFit(path: string, name: string, fit: object | undefined): string {
+    const manifest = /(<script[^>]*id="isomatch-manifest"[^>]*>)([^<]*)/;
+    const copy = readFileSync(path, 'utf8').replace(manifest, (_, tag: string, json: string) => {
+      const parsed = JSON.parse(json) as { report: { fit?: object } };
+      parsed.report.fit = fit;
+      return tag + JSON.stringify(parsed).replaceAll('<', '\\u003c');
+    });
+    const edited = join(this.folder, `${name}.html`);
+    writeFileSync(edited, copy);
+    return edited;
   }
 }

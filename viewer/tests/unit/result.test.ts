@@ -7,7 +7,7 @@ import { FIELD_OF_VIEW } from '../../src/scene/orbit';
 import type { State } from '../../src/state';
 import { remarks, warnings } from '../../src/ui/summary';
 import { commandLine } from '../../src/ui/numbers';
-import { describePoint } from '../../src/ui/point_panel';
+import { describePoint, hint } from '../../src/ui/point_panel';
 import { fitOf } from '../../src/ui/verdict';
 
 const UNIT = { low: [0, 0, 0], size: [1, 1, 1] } as const;
@@ -97,6 +97,13 @@ describe('the fit', () => {
   });
 });
 
+describe('the hint', () => {
+  it('speaks of fingers only on touch screens', () => {
+    expect(hint(true)).not.toMatch(/click|wheel|Shift|key|Escape/);
+    expect(hint(false)).toMatch(/wheel zooms after a click/);
+  });
+});
+
 describe('a result', () => {
   it('is decoded', () => {
     const result = sample();
@@ -123,7 +130,7 @@ describe('a result', () => {
 
   it('is told in words', () => {
     const result = sample();
-    const bad = remarks(result).filter(({ kind }) => kind === 'bad');
+    const bad = remarks(result, 0).filter(({ kind }) => kind === 'bad');
     expect(bad.map(({ text }) => text).join(' ')).toContain('Look for a flip');
     expect(bad.map(({ text }) => text).join(' ')).toContain('1 of 3 vertices');
     expect(bad.map(({ text }) => text).join(' ')).toContain('contradict the shapes: 5 → 60');
@@ -136,7 +143,7 @@ describe('a result', () => {
 
   it('names vertices by the numbers of the files', () => {
     const at = (side: 'source' | 'target', vertex: number) =>
-      describePoint(sample(), { ...state, hovered: { side, vertex } });
+      describePoint(sample(), state, { side, vertex });
     expect(at('source', 0)).toBe(
       'source vertex 5 ↔ target vertex 60  ·  d_iso 0.5  ·  ground-truth error 0 of √area',
     );
