@@ -70,8 +70,8 @@ py::dict to_dict(const Fit& fit) {
   dict["relief"] = measures.relief;
   dict["unreached"] = measures.unreached;
   dict["unmatched"] = measures.unmatched;
-  dict["reversed"] = measures.reversed < 0 ? py::object(py::none())
-                                           : py::object(py::float_(measures.reversed));
+  dict["reversed"] =
+      measures.reversed < 0 ? py::object(py::none()) : py::object(py::float_(measures.reversed));
   return dict;
 }
 

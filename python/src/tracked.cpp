@@ -113,13 +113,11 @@ void bind_tracked(py::module_& module) {
              return to_array(cli::input_matches(run.inputs, run.result.maps.front()));
            })
       .def_property_readonly("hypotheses", hypotheses)
-      .def_property_readonly("doubts",
-                             [](const TrackedMatch& run) { return cli::doubts(run); })
+      .def_property_readonly("doubts", [](const TrackedMatch& run) { return cli::doubts(run); })
       .def("fit", [](const TrackedMatch& run, std::size_t k) { return to_dict(run.fits.at(k)); })
-      .def_property_readonly("contradicted_landmarks",
-                             [](const TrackedMatch& run) {
-                               return to_array(run.contradicted_landmarks);
-                             })
+      .def_property_readonly(
+          "contradicted_landmarks",
+          [](const TrackedMatch& run) { return to_array(run.contradicted_landmarks); })
       .def_property_readonly("has_inverse", [](const TrackedMatch& run) { return run.has_inverse; })
       .def_property_readonly("ambiguity",
                              [](const TrackedMatch& run) { return run.result.ambiguity; })
