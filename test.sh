@@ -100,7 +100,7 @@ run_tests() {
 }
 
 program=$PWD/build/$preset/tools/isomatch
-sections=(build python test)
+sections=(build python wheel test)
 [ "$lint" != true ] || sections+=(lint)
 # Other presets make the program too slow for what only waits for it.
 [ "$preset" != dev ] || sections+=(browser docs)

@@ -13,5 +13,6 @@ echo "Building: three minutes at first, one after ./demo.sh, else seconds."
 cmake --preset release -DISOMATCH_BUILD_PYTHON=ON -DPython_EXECUTABLE=$python >/dev/null
 scripts/build.sh release isomatch_python_package
 
-PYTHONPATH=$folder $python -c 'import isomatch; print("isomatch", isomatch.__version__, "for", "'$python'")'
+PYTHONPATH=$folder $python -c 'import isomatch; print("isomatch", isomatch.__version__)'
+echo "Only for $python; \`pip install .\` makes it for other Pythons."
 echo "export PYTHONPATH=$folder"

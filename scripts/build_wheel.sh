@@ -14,4 +14,4 @@ scripts/build_viewer.sh
 rm -rf "$folder"
 mkdir -p "$folder/plain"
 "$python" -m pip wheel --no-deps --wheel-dir "$folder/plain" .
-echo "$folder/$("$python" python/packaging/bundle.py "$folder"/plain/*.whl "$folder")"
+echo "$PWD/$folder/$("$python" python/packaging/bundle.py "$folder"/plain/*.whl "$folder")"

@@ -9,14 +9,14 @@ from pathlib import Path
 
 def built_for():
     """The Pythons whose extension module is here, such as cpython-311."""
-    modules = Path(__file__).parent.glob("_core.*.so")
-    return ", ".join(sorted("-".join(module.name.split(".")[1].split("-")[:2]) for module in modules))
+    tags = [file.name.split(".")[1] for file in Path(__file__).parent.glob("_core.*.so")]
+    return ", ".join(sorted("-".join(tag.split("-")[:2]) for tag in tags)) or "no Python yet"
 
 
 def check_python():
     """Says in a line what is missing; tracebacks of numpy's and the linker's do not."""
     if find_spec("isomatch._core") is None:
-        problem = f"this isomatch is built for {built_for() or 'no Python yet'}, not for {sys.executable}"
+        problem = f"this isomatch is built for {built_for()}, not for {sys.executable}"
         remedy = "pip install ."
     elif find_spec("numpy") is None:
         problem = f"isomatch needs numpy, which {sys.executable} does not have"

@@ -40,8 +40,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     build_page()
     compile_package()
     with tempfile.TemporaryDirectory() as prefix:
-        for component in ("python", "python_program"):
-            run("cmake", "--install", BUILD, "--prefix", prefix, "--component", component, "--strip")
+        for part in ("python", "python_program"):
+            run("cmake", "--install", BUILD, "--prefix", prefix, "--component", part, "--strip")
         return pack(Path(prefix, INSTALLED), wheel_directory)
 
 
@@ -71,8 +71,8 @@ def build_page():
 def compile_package():
     # The Python that a virtual environment was made from: the same one for all of them.
     python = Path(sys.executable).resolve()
-    run("cmake", "--preset", "release", "-DISOMATCH_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={python}",
-        *pybind11_folder())
+    run("cmake", "--preset", "release", "-DISOMATCH_BUILD_PYTHON=ON",
+        f"-DPython_EXECUTABLE={python}", *pybind11_folder())
     run("cmake", "--build", BUILD, "--parallel", "--target", "isomatch_python_package")
 
 

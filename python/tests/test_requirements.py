@@ -15,21 +15,22 @@ PACKAGE = Path(isomatch.__file__).parent
 
 def run(*arguments, folder=PACKAGE.parent):
     environment = {**os.environ, "PYTHONPATH": str(folder)}
-    return subprocess.run([sys.executable, *arguments], env=environment, capture_output=True, text=True)
+    command = [sys.executable, *arguments]
+    return subprocess.run(command, env=environment, capture_output=True, text=True)
 
 
 def test_python_without_numpy_is_named():
     error = run("-S", "-c", "import isomatch").stderr
-    assert error.splitlines()[-1].startswith(
-        f"ModuleNotFoundError: isomatch needs numpy, which {sys.executable} does not have; use Debian's"
-    )
+    reason = f"isomatch needs numpy, which {sys.executable} does not have; use Debian's own"
+    assert error.splitlines()[-1].startswith(f"ModuleNotFoundError: {reason}")
 
 
 def test_python_that_it_is_not_built_for_is_named(tmp_path):
     shutil.copytree(PACKAGE, tmp_path / "isomatch", ignore=shutil.ignore_patterns("_core*", "bin"))
     (tmp_path / "isomatch" / "_core.cpython-39-x86_64-linux-gnu.so").touch()
     error = run("-c", "import isomatch", folder=tmp_path).stderr
-    assert f"isomatch is built for cpython-39, not for {sys.executable}; use" in error.splitlines()[-1]
+    reason = f"this isomatch is built for cpython-39, not for {sys.executable}; use Debian's own"
+    assert error.splitlines()[-1].startswith(f"ModuleNotFoundError: {reason}")
 
 
 def test_module_is_the_program():
