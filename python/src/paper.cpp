@@ -28,7 +28,8 @@ PaperRun match(const PreparedMesh& source, const PreparedMesh& target, const std
   cli::MatchInputs inputs = to_inputs(source, target);
   Fit fit;
   PaperResult result = run(how, [&](const Context& context) {
-    PaperResult found = match_paper(source.shape(context), target.shape(context), options, context);
+    PaperResult found = match_paper(source.shape(context), target.shape(context), options,
+                                    cli::matching_part(context));
     fit = cli::fit_of(inputs, found, context);
     return found;
   });

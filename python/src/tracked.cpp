@@ -32,7 +32,8 @@ TrackedMatch match(const PreparedMesh& source, const PreparedMesh& target,
   const std::vector<Match> pairs = to_matches(landmarks, "landmarks");
   options.landmarks = cli::surface_landmarks(match.inputs, pairs);
   match.result = run(how, [&](const Context& context) {
-    TrackedResult result = match_tracked(source.surface(), target.surface(), options, context);
+    TrackedResult result =
+        match_tracked(source.surface(), target.surface(), options, cli::matching_part(context));
     match.fits = cli::fits_of(match.inputs, result, context);
     return result;
   });
