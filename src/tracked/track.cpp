@@ -12,14 +12,15 @@
 namespace isomatch::tracked {
 namespace {
 
-/// Where the nodes nearest to landmarks belong: beside these, as the deformation turns them.
+/// Where the nodes nearest to landmarks belong: beside these, as the deformation turns them. Of
+/// landmarks that share a node the first counts.
 std::vector<elastic::Pin> landmark_pins(const Model& source, const Model& target,
                                         const elastic::Deformation& deformation,
                                         const Correspondence& landmarks) {
   std::vector<elastic::Pin> pins;
   for (const Match& match : landmarks) {
-    const int node = nearest_node(source, match.source, source.fine.size());
-    if (node >= deformation.size()) continue;
+    const int node = nearest_node(source, match.source, deformation.size());
+    if (std::ranges::count(pins, node, &elastic::Pin::point) > 0) continue;
     const Point beside =
         source.proxy.node_position(node) - source.surface.mesh.vertices[match.source];
     pins.push_back({node, target.surface.mesh.vertices[match.target] +

@@ -112,8 +112,8 @@ Finals run_finals(const Model& target, const std::vector<Judged>& judged,
 Correspondence contradicted_landmarks(const Model& target, const std::vector<Judged>& contradicting,
                                       double middle_cost, TrackerOptions options,
                                       const Context& context) {
-  // Right maps fit up to twice as well or as badly with landmarks that are off by an edge.
-  constexpr double kFarBetter = 3;
+  // True landmarks that are off by an edge cost less than this.
+  constexpr double kFarBetter = 2;
   const Correspondence landmarks = std::exchange(options.landmarks, {});
   const Tracking tracking(target, options, context);
   std::optional<Correspondence> fewest;
