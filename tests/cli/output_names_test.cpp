@@ -77,7 +77,8 @@ TEST_F(OutputNames, FoldersOfWhatIsNotWrittenAreNotLeft) {
   fs::create_directory(path("mine"));
   folder_.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   folder_.write("short.txt", "1\n");
-  for (const auto& [command, output] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+  for (const auto& [command, output] :
+       std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"match", path("source.off"), path("flat.off"), "-o"}, "mine/new/match"},
            {{"match", path("source.off"), path("flat.off"), "-o"}, "mine/new/match/"},
            {{"render", path("absent"), "-o"}, "mine/new/x.png"},
