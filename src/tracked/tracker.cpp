@@ -114,11 +114,13 @@ Correspondence contradicted_landmarks(const Model& target, const std::vector<Jud
                                       const Context& context) {
   // True landmarks that are off by an edge cost less than this.
   constexpr double kFarBetter = 2;
+  if (contradicting.empty()) return {};
+  const Context silent{.threads = context.threads, .progress = {}, .stop = context.stop};
   const Correspondence landmarks = std::exchange(options.landmarks, {});
-  const Tracking tracking(target, options, context);
+  const Tracking tracking(target, options, silent);
   std::optional<Correspondence> fewest;
   for (const Track& track :
-       all_tracks(contradicting, options.entrants, context,
+       all_tracks(contradicting, options.entrants, silent,
                   [&](const Judged& judged) { return tracking.begin(judged); })) {
     if (kFarBetter * track.cost() > middle_cost) continue;
     Correspondence contradicted;
