@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/correspondence.h"
-#include "isomatch/shape.h"
+#include "isomatch/maps/correspondence.h"
+#include "isomatch/maps/surface_map.h"
+#include "isomatch/mesh/shape.h"
 #include "isomatch/stage_times.h"
-#include "isomatch/surface_map.h"
 
 /// Methods that the project compares itself with, and its own, behind one interface. All of them
 /// are deterministic for any number of threads.

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "gmds/gmds.h"
-#include "isomatch/distortion.h"
 #include "isomatch/error.h"
-#include "isomatch/paper.h"
-#include "isomatch/tracked.h"
+#include "isomatch/methods/distortion.h"
+#include "isomatch/methods/paper.h"
+#include "isomatch/methods/tracked.h"
 #include "method.h"
 #include "spectral/spectral.h"
 #include "zoomout/zoomout.h"

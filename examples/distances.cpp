@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
-#include "isomatch/geodesics.h"
-#include "isomatch/mesh_io.h"
+#include "isomatch/geodesics/geodesics.h"
+#include "isomatch/io/mesh_io.h"
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include <iostream>
 #include <vector>
 
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/transfer.h"
-#include "isomatch/values_io.h"
+#include "isomatch/carry/transfer.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/io/values_io.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "isomatch/error.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/paper.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/methods/paper.h"
 
 namespace {
 

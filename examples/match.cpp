@@ -6,9 +6,9 @@
 #include <exception>
 #include <iostream>
 
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/tracked.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/methods/tracked.h"
 
 namespace {
 

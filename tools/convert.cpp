@@ -8,14 +8,14 @@
 
 #include "command.h"
 #include "isomatch/error.h"
-#include "isomatch/map_file.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/model_io.h"
+#include "isomatch/io/map_file.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/io/model_io.h"
 #include "load.h"
 #include "map_input.h"
-#include "result/parent_folders.h"
-#include "result/result.h"
-#include "result/result_model.h"
+#include "results/folder/parent_folders.h"
+#include "results/folder/result.h"
+#include "results/page/result_model.h"
 #include "say.h"
 
 namespace isomatch::cli {

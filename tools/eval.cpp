@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "command.h"
-#include "evaluation.h"
-#include "isomatch/map_file.h"
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/map_file.h"
+#include "isomatch/io/mesh_io.h"
 #include "load.h"
 #include "map_input.h"
 #include "progress_bar.h"
+#include "results/evaluation.h"
 
 namespace isomatch::cli {
 namespace {

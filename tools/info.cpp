@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "command.h"
-#include "isomatch/mesh_io.h"
-#include "json.h"
+#include "isomatch/io/mesh_io.h"
 #include "load.h"
+#include "results/json.h"
 
 namespace isomatch::cli {
 namespace {

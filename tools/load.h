@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "isomatch/diagnosis.h"
-#include "isomatch/model_io.h"
-#include "isomatch/shape.h"
+#include "isomatch/io/model_io.h"
+#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/mesh/shape.h"
 
 namespace isomatch::cli {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "isomatch/map_file.h"
+#include "isomatch/io/map_file.h"
 
 namespace isomatch::cli {
 

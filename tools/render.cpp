@@ -6,15 +6,15 @@
 
 #include "command.h"
 #include "isomatch/error.h"
-#include "isomatch/texture_io.h"
+#include "isomatch/io/texture_io.h"
 #include "load.h"
-#include "picture/pair.h"
-#include "picture/position_colors.h"
-#include "result/materials.h"
-#include "result/pair_view.h"
-#include "result/parent_folders.h"
-#include "result/place_options.h"
-#include "result/result.h"
+#include "place_options.h"
+#include "results/folder/materials.h"
+#include "results/folder/parent_folders.h"
+#include "results/folder/result.h"
+#include "results/page/pair_view.h"
+#include "results/picture/pair.h"
+#include "results/picture/position_colors.h"
 #include "say.h"
 
 namespace isomatch::cli {

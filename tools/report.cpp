@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "command.h"
-#include "page/options.h"
-#include "page/page.h"
-#include "result/parent_folders.h"
-#include "result/place_options.h"
-#include "result/written_files.h"
+#include "page_options.h"
+#include "place_options.h"
+#include "results/folder/parent_folders.h"
+#include "results/folder/written_files.h"
+#include "results/page/page.h"
 #include "say.h"
 
 namespace isomatch::cli {

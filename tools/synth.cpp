@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,10 +9,10 @@
 #include <memory>
 
 #include "command.h"
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
-#include "result/input_files.h"
-#include "result/parent_folders.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
+#include "results/folder/input_files.h"
+#include "results/folder/parent_folders.h"
 #include "say.h"
 
 namespace isomatch::cli {

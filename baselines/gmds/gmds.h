@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/shape.h"
+#include "isomatch/maps/surface_map.h"
+#include "isomatch/mesh/shape.h"
 #include "isomatch/stage_times.h"
-#include "isomatch/surface_map.h"
 
 namespace isomatch::baselines {
 

@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "isomatch/shape.h"
-#include "isomatch/surface_map.h"
-#include "isomatch/topology.h"
+#include "isomatch/maps/surface_map.h"
+#include "isomatch/mesh/shape.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch::baselines {
 

@@ -8,8 +8,8 @@
 
 #include "command.h"
 #include "help_format.h"
-#include "isomatch/atomic_file.h"
 #include "isomatch/error.h"
+#include "isomatch/io/atomic_file.h"
 #include "isomatch/version.h"
 #include "program.h"
 #include "program/child.h"

@@ -6,8 +6,8 @@
 #include <chrono>
 
 #include "isomatch/error.h"
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
 #include "isomatch/stage_times.h"
 #include "load.h"
 #include "program/child.h"

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "evaluation.h"
 #include "isomatch/context.h"
-#include "json.h"
 #include "method.h"
+#include "results/evaluation.h"
+#include "results/json.h"
 
 namespace isomatch::baselines {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "isomatch/context.h"
-#include "isomatch/shape.h"
+#include "isomatch/mesh/shape.h"
 
 namespace isomatch::baselines {
 

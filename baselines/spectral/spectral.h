@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/paper.h"
-#include "isomatch/shape.h"
+#include "isomatch/mesh/shape.h"
+#include "isomatch/methods/paper.h"
 
 namespace isomatch::baselines {
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 namespace isomatch::baselines {
 

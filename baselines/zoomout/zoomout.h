@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/correspondence.h"
-#include "isomatch/shape.h"
+#include "isomatch/maps/correspondence.h"
+#include "isomatch/mesh/shape.h"
 #include "isomatch/stage_times.h"
 #include "zoomout/functional_map.h"
 

@@ -7,9 +7,9 @@
 #include <random>
 #include <string>
 
-#include "isomatch/geodesics.h"
-#include "isomatch/surface.h"
-#include "isomatch/synth.h"
+#include "isomatch/geodesics/geodesics.h"
+#include "isomatch/mesh/surface.h"
+#include "isomatch/mesh/synth.h"
 
 namespace isomatch {
 namespace {

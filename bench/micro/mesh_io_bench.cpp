@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/mesh_io.h"
 
 namespace isomatch {
 namespace {

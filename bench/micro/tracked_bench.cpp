@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/diagnosis.h"
-#include "isomatch/synth.h"
+#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/mesh/synth.h"
 #include "tracked/dense_map.h"
 #include "tracked/tracker.h"
 

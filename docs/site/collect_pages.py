@@ -86,9 +86,10 @@ def with_navigation(page, text):
 
 
 def header_page(header):
+    name = header.relative_to(HEADERS.parent)
     return (
-        f"# {header.name}\n\n```cpp\n#include \"isomatch/{header.name}\"\n```\n\n"
-        f"```{{doxygenfile}} isomatch/{header.name}\n```\n"
+        f"# {header.name}\n\n```cpp\n#include \"{name}\"\n```\n\n"
+        f"```{{doxygenfile}} {name}\n```\n"
     )
 
 
@@ -117,7 +118,7 @@ def main(program, folder):
     for page, source in sources.items():
         text = with_moved_links(source.read_text(), str(source.relative_to(REPOSITORY)), page)
         write(folder, page, with_navigation(page, text))
-    for header in sorted(HEADERS.glob("*.h")):
+    for header in sorted(HEADERS.rglob("*.h")):
         write(folder, f"headers/{header.stem}.md", header_page(header))
     write(folder, "commands.md", commands_page(program))
     shutil.copytree(DOCS / "pictures", folder / "pictures")

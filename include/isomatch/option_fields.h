@@ -5,14 +5,14 @@
 #include <concepts>
 #include <type_traits>
 
-#include "isomatch/geodesics.h"
-#include "isomatch/map_inversion.h"
-#include "isomatch/metrics.h"
-#include "isomatch/paper.h"
-#include "isomatch/pose_transfer.h"
-#include "isomatch/synth.h"
-#include "isomatch/texture_transfer.h"
-#include "isomatch/tracked.h"
+#include "isomatch/carry/map_inversion.h"
+#include "isomatch/carry/pose_transfer.h"
+#include "isomatch/carry/texture_transfer.h"
+#include "isomatch/geodesics/geodesics.h"
+#include "isomatch/measure/metrics.h"
+#include "isomatch/mesh/synth.h"
+#include "isomatch/methods/paper.h"
+#include "isomatch/methods/tracked.h"
 
 /// The options of every stage as lists, from which command line flags, Python keywords and reports
 /// derive: `for_each_option(options, visit)` calls `visit(name, value, meaning)` for each field in

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "isomatch/error.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 
 namespace py = pybind11;
 

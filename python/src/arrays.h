@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/correspondence.h"
-#include "isomatch/mesh.h"
-#include "isomatch/surface_map.h"
+#include "isomatch/maps/correspondence.h"
+#include "isomatch/maps/surface_map.h"
+#include "isomatch/mesh/mesh.h"
 
 /// Between numpy arrays and the library's types. Arrays go out without a copy: they own the memory
 /// of the vector that they were made of. What comes in is copied, because the library keeps it.

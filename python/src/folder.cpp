@@ -13,10 +13,10 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "isomatch/error.h"
-#include "isomatch/map_io.h"
-#include "isomatch/metrics.h"
-#include "page/levels.h"
-#include "result/written_files.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/measure/metrics.h"
+#include "results/folder/written_files.h"
+#include "results/page/levels.h"
 
 namespace fs = std::filesystem;
 namespace py = pybind11;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include "result/result.h"
+#include "results/folder/result.h"
 #include "state.h"
 
 /// Matches from the folders that they were saved in.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/geodesics.h"
+#include "isomatch/geodesics/geodesics.h"
 
 #include <fmt/format.h>
 

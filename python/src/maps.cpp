@@ -8,7 +8,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "isomatch/error.h"
-#include "isomatch/map_file.h"
+#include "isomatch/io/map_file.h"
 #include "prepared.h"
 
 namespace py = pybind11;

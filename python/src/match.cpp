@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "page/page.h"
+#include "results/page/page.h"
 
 namespace py = pybind11;
 

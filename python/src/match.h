@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "isomatch/stage_times.h"
-#include "json.h"
-#include "match/inputs.h"
-#include "match/option_names.h"
-#include "match/report.h"
+#include "results/folder/inputs.h"
+#include "results/folder/report.h"
+#include "results/json.h"
+#include "results/option_names.h"
 
 /// What the results of both methods share.
 namespace isomatch::python {

@@ -7,9 +7,9 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "isomatch/mesh_io.h"
-#include "json.h"
+#include "isomatch/io/mesh_io.h"
 #include "prepared.h"
+#include "results/json.h"
 #include "run.h"
 
 namespace py = pybind11;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/metrics.h"
+#include "isomatch/measure/metrics.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "evaluation.h"
 #include "isomatch/error.h"
-#include "isomatch/map_file.h"
+#include "isomatch/io/map_file.h"
 #include "options.h"
 #include "prepared.h"
+#include "results/evaluation.h"
 #include "run.h"
 #include "vertex_errors.h"
 

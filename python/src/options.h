@@ -9,7 +9,7 @@
 #include <string>
 
 #include "isomatch/option_fields.h"
-#include "match/option_names.h"
+#include "results/option_names.h"
 
 /// Options of the library as keywords, derived from `for_each_option`, under the names that the
 /// command line has for them.

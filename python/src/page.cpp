@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "page/page.h"
+#include "results/page/page.h"
 
 #include <pybind11/stl.h>
 
 #include "bindings.h"
-#include "isomatch/atomic_file.h"
+#include "isomatch/io/atomic_file.h"
 #include "match.h"
-#include "page/template.h"
+#include "results/page/template.h"
 #include "run.h"
 
 namespace py = pybind11;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/paper.h"
+#include "isomatch/methods/paper.h"
 
 #include "arrays.h"
 #include "bindings.h"
 #include "match.h"
-#include "match/input_numbers.h"
-#include "match/paper_output.h"
 #include "options.h"
 #include "prepared.h"
-#include "result/result.h"
+#include "results/folder/input_numbers.h"
+#include "results/folder/paper_output.h"
+#include "results/folder/result.h"
 #include "run.h"
 #include "state.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "isomatch/error.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "load.h"
 
 namespace isomatch::python {

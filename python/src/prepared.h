@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "isomatch/correspondence.h"
-#include "isomatch/diagnosis.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/shape.h"
-#include "isomatch/surface_map.h"
-#include "match/inputs.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/maps/correspondence.h"
+#include "isomatch/maps/surface_map.h"
+#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/mesh/shape.h"
+#include "results/folder/inputs.h"
 
 namespace isomatch::python {
 

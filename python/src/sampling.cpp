@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/sampling.h"
+#include "isomatch/methods/sampling.h"
 
 #include "arrays.h"
 #include "bindings.h"
-#include "isomatch/paper.h"
+#include "isomatch/methods/paper.h"
 #include "options.h"
 #include "prepared.h"
 #include "run.h"

@@ -4,9 +4,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include "match/paper_output.h"
-#include "match/tracked_output.h"
 #include "prepared.h"
+#include "results/folder/paper_output.h"
+#include "results/folder/tracked_output.h"
 
 /// What makes a match anew: plain values and arrays for pickle, without the meshes.
 namespace isomatch::python {

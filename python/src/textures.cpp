@@ -10,7 +10,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "isomatch/texture_io.h"
+#include "isomatch/io/texture_io.h"
 
 namespace py = pybind11;
 

@@ -4,7 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "isomatch/texture.h"
+#include "isomatch/mesh/texture.h"
 
 namespace isomatch::python {
 

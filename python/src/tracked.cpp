@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/tracked.h"
+#include "isomatch/methods/tracked.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -8,10 +8,10 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "match.h"
-#include "match/input_numbers.h"
-#include "match/tracked_output.h"
 #include "options.h"
 #include "prepared.h"
+#include "results/folder/input_numbers.h"
+#include "results/folder/tracked_output.h"
 #include "run.h"
 #include "state.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/transfer.h"
+#include "isomatch/carry/transfer.h"
 
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
@@ -11,13 +11,13 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "isomatch/carry/map_inversion.h"
+#include "isomatch/carry/pose_transfer.h"
+#include "isomatch/carry/texture_transfer.h"
 #include "isomatch/error.h"
-#include "isomatch/map_inversion.h"
-#include "isomatch/pose_transfer.h"
-#include "isomatch/texture_transfer.h"
 #include "options.h"
 #include "prepared.h"
-#include "result/result.h"
+#include "results/folder/result.h"
 #include "run.h"
 #include "textures.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch::python {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "evaluation.h"
 #include "prepared.h"
+#include "results/evaluation.h"
 
 namespace isomatch::python {
 

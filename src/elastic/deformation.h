@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "isomatch/mesh.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/mesh.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch::elastic {
 

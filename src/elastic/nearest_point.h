@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "elastic/features.h"
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 namespace isomatch::elastic {
 

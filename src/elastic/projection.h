@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "elastic/foot.h"
 #include "elastic/nearest_point.h"
+#include "geometry/foot.h"
 
 namespace isomatch::elastic {
 

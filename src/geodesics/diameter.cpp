@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "isomatch/geodesics.h"
+#include "isomatch/geodesics/geodesics.h"
 
 namespace isomatch {
 namespace {

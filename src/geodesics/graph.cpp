@@ -9,8 +9,8 @@
 
 #include "geodesics/visibility.h"
 #include "isomatch/error.h"
-#include "isomatch/geodesics.h"
-#include "isomatch/topology.h"
+#include "isomatch/geodesics/geodesics.h"
+#include "isomatch/mesh/topology.h"
 #include "parallel.h"
 
 namespace isomatch {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geodesics/bucket_queue.h"
-#include "isomatch/geodesics.h"
+#include "isomatch/geodesics/geodesics.h"
 
 namespace isomatch {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "isomatch/geodesics.h"
-#include "isomatch/topology.h"
+#include "isomatch/geodesics/geodesics.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch {
 

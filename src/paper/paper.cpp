@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/paper.h"
+#include "isomatch/methods/paper.h"
 
 #include <algorithm>
 #include <cmath>

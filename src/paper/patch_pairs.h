@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/distortion.h"
-#include "isomatch/merging.h"
-#include "isomatch/patch_matching.h"
-#include "isomatch/shape.h"
+#include "isomatch/mesh/shape.h"
+#include "isomatch/methods/distortion.h"
+#include "isomatch/methods/merging.h"
+#include "isomatch/methods/patch_matching.h"
 
 namespace isomatch::paper {
 

@@ -7,7 +7,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
-#include "cotangent_laplacian.h"
+#include "geometry/cotangent_laplacian.h"
 #include "isomatch/error.h"
 
 namespace isomatch::spectral {

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "isomatch/context.h"
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 namespace isomatch::spectral {
 

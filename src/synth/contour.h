@@ -3,7 +3,7 @@
 #pragma once
 
 #include "isomatch/context.h"
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 #include "random.h"
 #include "synth/body.h"
 

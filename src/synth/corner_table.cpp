@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch::synth {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 namespace isomatch::synth {
 

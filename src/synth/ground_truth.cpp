@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "geometry/point_tree.h"
 #include "parallel.h"
-#include "point_tree.h"
 
 namespace isomatch::synth {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "isomatch/error.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "synth/contour.h"
 #include "synth/remesher.h"
 

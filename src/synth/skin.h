@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 #include "random.h"
 #include "synth/body.h"
 #include "synth/corner_table.h"

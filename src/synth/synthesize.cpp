@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "isomatch/error.h"
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "random.h"
 #include "synth/collision.h"
 #include "synth/creature.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "elastic/descent.h"
-#include "elastic/foot.h"
 #include "elastic/nearest_point.h"
+#include "geometry/descent.h"
+#include "geometry/foot.h"
 #include "parallel.h"
 #include "tracked/transfer.h"
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include "isomatch/tracked.h"
+#include "isomatch/methods/tracked.h"
 #include "tracked/track.h"
 
 namespace isomatch::tracked {

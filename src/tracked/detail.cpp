@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "elastic/descent.h"
+#include "geometry/descent.h"
+#include "geometry/simplify.h"
 #include "parallel.h"
 #include "tracked/relief.h"
-#include "tracked/simplify.h"
 
 namespace isomatch::tracked {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "elastic/features.h"
 #include "isomatch/context.h"
-#include "isomatch/geodesics.h"
+#include "isomatch/geodesics/geodesics.h"
 #include "tracked/unit_surface.h"
 
 namespace isomatch::tracked {

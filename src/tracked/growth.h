@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "isomatch/correspondence.h"
+#include "isomatch/maps/correspondence.h"
 #include "tracked/landmarks.h"
 
 namespace isomatch::tracked {

@@ -6,7 +6,7 @@
 
 #include "elastic/projection.h"
 #include "isomatch/context.h"
-#include "isomatch/correspondence.h"
+#include "isomatch/maps/correspondence.h"
 #include "spectral/spectral_map.h"
 #include "tracked/detail.h"
 #include "tracked/proxy.h"

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <set>
 
+#include "geometry/simplify.h"
 #include "parallel.h"
-#include "tracked/simplify.h"
 #include "tracked/unit_surface.h"
 
 namespace isomatch::tracked {

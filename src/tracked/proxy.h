@@ -7,7 +7,7 @@
 
 #include "elastic/registration.h"
 #include "isomatch/context.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "tracked/detail.h"
 
 namespace isomatch::tracked {

@@ -4,7 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "cotangent_laplacian.h"
+#include "geometry/cotangent_laplacian.h"
 #include "isomatch/error.h"
 
 namespace isomatch::tracked {

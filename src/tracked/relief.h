@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "elastic/projection.h"
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 namespace isomatch::tracked {
 

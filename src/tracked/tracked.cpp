@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/tracked.h"
+#include "isomatch/methods/tracked.h"
 
 #include <algorithm>
 #include <iterator>

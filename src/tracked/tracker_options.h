@@ -3,7 +3,7 @@
 #pragma once
 
 #include "elastic/registration.h"
-#include "isomatch/correspondence.h"
+#include "isomatch/maps/correspondence.h"
 #include "tracked/hypotheses.h"
 #include "tracked/proxy.h"
 

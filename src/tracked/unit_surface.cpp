@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "face_orientation.h"
+#include "geometry/face_orientation.h"
 
 namespace isomatch::tracked {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "isomatch/surface.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/surface.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch::tracked {
 

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/synth.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/mesh/synth.h"
 #include "program.h"
 #include "support/temporary_folder.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "isomatch/map_file.h"
-#include "isomatch/model_io.h"
+#include "isomatch/io/map_file.h"
+#include "isomatch/io/model_io.h"
 #include "match_program.h"
 #include "program.h"
 #include "support/maps.h"

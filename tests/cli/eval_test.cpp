@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "isomatch/map_file.h"
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/map_file.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
 #include "program.h"
 #include "support/shapes.h"
 #include "support/temporary_folder.h"

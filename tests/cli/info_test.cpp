@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/mesh_io.h"
 #include "program.h"
 #include "support/shapes.h"
 #include "support/temporary_folder.h"

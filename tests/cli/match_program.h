@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/synth.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/mesh/synth.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
 #include "support/transforms.h"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "match_program.h"
 #include "program.h"
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <map>
 
-#include "isomatch/texture_io.h"
+#include "isomatch/io/texture_io.h"
 #include "match_program.h"
 #include "program.h"
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "isomatch/texture_io.h"
+#include "isomatch/io/texture_io.h"
 #include "match_program.h"
 #include "program.h"
 

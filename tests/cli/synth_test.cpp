@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
 #include "program.h"
 #include "support/temporary_folder.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "isomatch/texture_io.h"
-#include "isomatch/values_io.h"
+#include "isomatch/io/texture_io.h"
+#include "isomatch/io/values_io.h"
 #include "match_program.h"
 #include "program.h"
 

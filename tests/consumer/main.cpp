@@ -3,8 +3,8 @@
 
 // What any consumer does: includes public headers, links, and gets a right answer.
 #include <isomatch/error.h>
-#include <isomatch/synth.h>
-#include <isomatch/tracked.h>
+#include <isomatch/mesh/synth.h>
+#include <isomatch/methods/tracked.h>
 #include <isomatch/version.h>
 
 #include <iostream>

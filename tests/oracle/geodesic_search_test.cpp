@@ -8,7 +8,7 @@
 #include <ostream>
 #include <queue>
 
-#include "isomatch/geodesics.h"
+#include "isomatch/geodesics/geodesics.h"
 #include "support/rough_meshes.h"
 
 namespace isomatch {

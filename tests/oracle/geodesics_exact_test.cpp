@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "exact_geodesics.h"
-#include "isomatch/geodesics.h"
+#include "isomatch/geodesics/geodesics.h"
 #include "support/rough_meshes.h"
 
 namespace isomatch {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/mesh_io.h"
 #include "support/rough_meshes.h"
 #include "support/temporary_folder.h"
 

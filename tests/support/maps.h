@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include "isomatch/surface_map.h"
+#include "isomatch/maps/surface_map.h"
 
 /// Maps whose values are known.
 namespace isomatch::test {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/mesh_io.h"
 
 /// Mesh files for tests, given by their content.
 namespace isomatch::test {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 namespace isomatch::test {
 

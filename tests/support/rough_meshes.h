@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 /// Irregular meshes from seeded generators, manifold and consistently oriented, for comparisons
 /// with exact algorithms that need both; only `triangle_soup` is neither.

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 /// Shapes whose area, topology and geodesics are known. Closed shapes face outwards.
 namespace isomatch::test {

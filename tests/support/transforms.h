@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 #include "support/random.h"
 
 namespace isomatch::test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "isomatch/mesh.h"
+#include "isomatch/mesh/mesh.h"
 
 /// Meshes with one peculiarity each. Spheres are icospheres of radius 1 with 162 vertices and 320
 /// faces (two subdivisions) unless noted.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "page/array_packer.h"
+#include "results/page/array_packer.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

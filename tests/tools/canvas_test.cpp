@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "picture/canvas.h"
+#include "results/picture/canvas.h"
 
 #include <gtest/gtest.h>
 
 #include "isomatch/error.h"
-#include "picture/pair.h"
+#include "results/picture/pair.h"
 #include "support/shapes.h"
 
 namespace isomatch::picture {

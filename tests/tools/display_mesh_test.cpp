@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "page/display_mesh.h"
+#include "results/page/display_mesh.h"
 
 #include <gtest/gtest.h>
 

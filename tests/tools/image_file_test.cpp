@@ -9,7 +9,7 @@
 #include <random>
 
 #include "isomatch/error.h"
-#include "picture/image.h"
+#include "results/picture/image.h"
 #include "support/temporary_folder.h"
 
 namespace isomatch::picture {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "result/image_line.h"
+#include "results/folder/image_line.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "page/page.h"
+#include "results/page/page.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <png.h>
 
 #include "isomatch/error.h"
-#include "picture/image.h"
+#include "results/picture/image.h"
 #include "support/temporary_folder.h"
 
 namespace isomatch::picture {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "picture/position_colors.h"
+#include "results/picture/position_colors.h"
 
 #include <gtest/gtest.h>
 

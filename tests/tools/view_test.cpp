@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "picture/view.h"
+#include "results/picture/view.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
 #include "isomatch/error.h"
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/connectivity.h"
+#include "isomatch/mesh/connectivity.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 #include "support/zoo.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "cotangent_laplacian.h"
+#include "geometry/cotangent_laplacian.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/diagnosis.h"
+#include "isomatch/mesh/diagnosis.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "isomatch/error.h"
-#include "isomatch/surface.h"
+#include "isomatch/mesh/surface.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 #include "support/zoo.h"

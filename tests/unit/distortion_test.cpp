@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/distortion.h"
+#include "isomatch/methods/distortion.h"
 
 #include <gtest/gtest.h>
 

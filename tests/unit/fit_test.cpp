@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/fit.h"
+#include "isomatch/measure/fit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "isomatch/error.h"
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "support/context.h"
 #include "support/maps.h"
 #include "support/shapes.h"

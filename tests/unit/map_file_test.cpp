@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/map_file.h"
+#include "isomatch/io/map_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/merging.h"
+#include "isomatch/methods/merging.h"
 
 #include <gtest/gtest.h>
 

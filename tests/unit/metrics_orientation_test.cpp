@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "isomatch/error.h"
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/metrics.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/measure/metrics.h"
 #include "support/data.h"
 #include "support/random.h"
 #include "support/shapes.h"

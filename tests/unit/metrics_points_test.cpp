@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "isomatch/error.h"
-#include "isomatch/metrics.h"
+#include "isomatch/measure/metrics.h"
 #include "support/context.h"
 #include "support/random.h"
 #include "support/shapes.h"

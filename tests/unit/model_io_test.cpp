@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/model_io.h"
+#include "isomatch/io/model_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "isomatch/error.h"
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/mesh_io.h"
 #include "support/random.h"
 #include "support/rough_meshes.h"
 #include "support/shapes.h"

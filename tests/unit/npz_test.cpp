@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "npz.h"
+#include "io/npz.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/paper.h"
+#include "isomatch/methods/paper.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "isomatch/error.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/synth.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/mesh/synth.h"
 #include "support/context.h"
 #include "support/data.h"
 #include "support/random.h"

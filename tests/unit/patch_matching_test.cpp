@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/patch_matching.h"
+#include "isomatch/methods/patch_matching.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/saliency.h"
+#include "isomatch/methods/saliency.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/sampling.h"
+#include "isomatch/methods/sampling.h"
 
 #include <gtest/gtest.h>
 

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/connectivity.h"
-#include "isomatch/surface.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/connectivity.h"
+#include "isomatch/mesh/surface.h"
+#include "isomatch/mesh/topology.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 #include "support/zoo.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/surface_map.h"
+#include "isomatch/maps/surface_map.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "isomatch/error.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/surface.h"
+#include "isomatch/mesh/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "isomatch/error.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 #include "support/zoo.h"

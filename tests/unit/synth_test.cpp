@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <set>
 #include <tuple>
 
-#include "isomatch/diagnosis.h"
 #include "isomatch/error.h"
-#include "isomatch/geodesics.h"
+#include "isomatch/geodesics/geodesics.h"
+#include "isomatch/mesh/diagnosis.h"
 
 namespace isomatch {
 namespace {

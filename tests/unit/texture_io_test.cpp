@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/texture_io.h"
+#include "isomatch/io/texture_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "isomatch/error.h"
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/mesh_io.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/tracked.h"
+#include "isomatch/methods/tracked.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "isomatch/error.h"
-#include "isomatch/map_io.h"
-#include "isomatch/mesh_io.h"
+#include "isomatch/io/map_io.h"
+#include "isomatch/io/mesh_io.h"
 #include "support/context.h"
 #include "support/data.h"
 #include "support/mesh_files.h"

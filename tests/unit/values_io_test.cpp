@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/values_io.h"
+#include "isomatch/io/values_io.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,11 +8,11 @@
 
 #include "command.h"
 #include "match/method.h"
-#include "page/options.h"
-#include "page/page.h"
-#include "result/input_files.h"
-#include "result/parent_folders.h"
-#include "result/written_files.h"
+#include "page_options.h"
+#include "results/folder/input_files.h"
+#include "results/folder/parent_folders.h"
+#include "results/folder/written_files.h"
+#include "results/page/page.h"
 #include "say.h"
 
 namespace isomatch::cli {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "evaluation.h"
 #include "isomatch/context.h"
+#include "results/evaluation.h"
 
 namespace isomatch::cli {
 

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "match/method.h"
-#include "match/option_names.h"
-#include "match/paper_output.h"
-#include "match/report.h"
 #include "progress_bar.h"
+#include "results/folder/paper_output.h"
+#include "results/folder/report.h"
+#include "results/option_names.h"
 
 namespace isomatch::cli {
 namespace {

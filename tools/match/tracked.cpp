@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/tracked.h"
+#include "isomatch/methods/tracked.h"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@
 #include <memory>
 
 #include "isomatch/error.h"
-#include "isomatch/map_io.h"
+#include "isomatch/io/map_io.h"
 #include "load.h"
-#include "match/input_numbers.h"
 #include "match/method.h"
-#include "match/option_names.h"
-#include "match/report.h"
-#include "match/tracked_output.h"
 #include "progress_bar.h"
+#include "results/folder/input_numbers.h"
+#include "results/folder/report.h"
+#include "results/folder/tracked_output.h"
+#include "results/option_names.h"
 
 namespace isomatch::cli {
 namespace {

@@ -7,16 +7,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "isomatch/carry/pose_transfer.h"
+#include "isomatch/carry/transfer.h"
 #include "isomatch/error.h"
-#include "isomatch/map_file.h"
-#include "isomatch/mesh_io.h"
-#include "isomatch/pose_transfer.h"
-#include "isomatch/texture_io.h"
-#include "isomatch/transfer.h"
-#include "isomatch/values_io.h"
+#include "isomatch/io/map_file.h"
+#include "isomatch/io/mesh_io.h"
+#include "isomatch/io/texture_io.h"
+#include "isomatch/io/values_io.h"
 #include "isomatch/version.h"
 #include "load.h"
-#include "result/written_files.h"
+#include "results/folder/written_files.h"
 #include "transfer/outputs.h"
 
 namespace isomatch::cli {

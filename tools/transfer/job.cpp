@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "isomatch/carry/map_inversion.h"
 #include "isomatch/error.h"
-#include "isomatch/map_inversion.h"
-#include "isomatch/map_io.h"
+#include "isomatch/io/map_io.h"
 
 namespace isomatch::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "result/result.h"
+#include "results/folder/result.h"
 
 namespace isomatch::cli {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "isomatch/error.h"
-#include "isomatch/map_file.h"
-#include "isomatch/mesh_io.h"
-#include "result/written_files.h"
+#include "isomatch/io/map_file.h"
+#include "isomatch/io/mesh_io.h"
+#include "results/folder/written_files.h"
 
 namespace isomatch::cli {
 namespace {

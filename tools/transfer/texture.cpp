@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "isomatch/atomic_file.h"
+#include "isomatch/carry/texture_transfer.h"
 #include "isomatch/error.h"
-#include "isomatch/texture_io.h"
-#include "isomatch/texture_transfer.h"
+#include "isomatch/io/atomic_file.h"
+#include "isomatch/io/texture_io.h"
 #include "load.h"
-#include "result/image_line.h"
-#include "result/materials.h"
+#include "results/folder/image_line.h"
+#include "results/folder/materials.h"
 #include "transfer/carry.h"
 #include "transfer/outputs.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "command.h"
-#include "result/parent_folders.h"
-#include "result/place_options.h"
+#include "place_options.h"
+#include "results/folder/parent_folders.h"
 #include "say.h"
 #include "transfer/carry.h"
 #include "transfer/outputs.h"

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/metrics.h"
-#include "isomatch/shape.h"
-#include "isomatch/synth.h"
+#include "isomatch/measure/metrics.h"
+#include "isomatch/mesh/shape.h"
+#include "isomatch/mesh/synth.h"
 #include "support/random.h"
 #include "support/transforms.h"
 

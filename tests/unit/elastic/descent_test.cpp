@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "elastic/descent.h"
+#include "geometry/descent.h"
 
 #include <gtest/gtest.h>
 

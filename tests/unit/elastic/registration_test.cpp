@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"

@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "isomatch/model_io.h"
+#include "isomatch/io/model_io.h"
 #include "support/gltf_files.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"

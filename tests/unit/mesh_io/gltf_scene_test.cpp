@@ -6,7 +6,7 @@
 #include <string>
 
 #include "isomatch/error.h"
-#include "isomatch/model_io.h"
+#include "isomatch/io/model_io.h"
 #include "support/gltf_files.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"

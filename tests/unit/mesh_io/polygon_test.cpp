@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/model_io.h"
+#include "isomatch/io/model_io.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "cotangent_laplacian.h"
+#include "geometry/cotangent_laplacian.h"
 #include "support/mesh_files.h"
 #include "support/shapes.h"
 #include "support/transforms.h"

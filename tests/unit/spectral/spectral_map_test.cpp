@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
-#include "isomatch/synth.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/synth.h"
+#include "isomatch/mesh/topology.h"
 #include "support/context.h"
 #include "support/random.h"
 #include "support/transforms.h"

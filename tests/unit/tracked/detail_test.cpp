@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "geometry/simplify.h"
 #include "support/context.h"
 #include "support/shapes.h"
-#include "tracked/simplify.h"
 
 namespace isomatch::tracked {
 namespace {

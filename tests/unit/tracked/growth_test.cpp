@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/metrics.h"
-#include "isomatch/synth.h"
-#include "isomatch/tracked.h"
+#include "isomatch/measure/metrics.h"
+#include "isomatch/mesh/synth.h"
+#include "isomatch/methods/tracked.h"
 
 namespace isomatch::test {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "support/shapes.h"
 #include "unit/tracked/prepared.h"
 

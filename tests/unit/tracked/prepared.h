@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include "isomatch/shape.h"
+#include "isomatch/mesh/shape.h"
 #include "tracked/proxy.h"
 
 namespace isomatch::test {

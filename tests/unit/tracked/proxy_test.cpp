@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "support/context.h"
 #include "support/mesh_files.h"
 #include "support/random.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "tracked/model.h"
 
 namespace isomatch::tracked {

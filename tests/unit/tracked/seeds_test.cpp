@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "unit/tracked/prepared.h"

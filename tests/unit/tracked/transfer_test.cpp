@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "isomatch/synth.h"
+#include "isomatch/mesh/synth.h"
 #include "support/mesh_files.h"
 #include "support/random.h"
 #include "support/shapes.h"

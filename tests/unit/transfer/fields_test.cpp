@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isomatch/carry/transfer.h"
 #include "isomatch/error.h"
-#include "isomatch/transfer.h"
 #include "support/maps.h"
 #include "support/random.h"
 #include "support/shapes.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isomatch/carry/map_inversion.h"
 #include "isomatch/error.h"
-#include "isomatch/map_inversion.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "support/context.h"
 #include "support/maps.h"
 #include "support/random.h"

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isomatch/carry/pose_transfer.h"
 #include "isomatch/error.h"
-#include "isomatch/pose_transfer.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "support/maps.h"
 #include "support/random.h"
 #include "support/shapes.h"

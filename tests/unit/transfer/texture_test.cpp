@@ -9,9 +9,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "isomatch/carry/texture_transfer.h"
 #include "isomatch/error.h"
-#include "isomatch/texture_transfer.h"
-#include "isomatch/topology.h"
+#include "isomatch/mesh/topology.h"
 #include "support/maps.h"
 #include "support/shapes.h"
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "results/evaluation.h"
+
+#include <fmt/format.h>
+
+#include "isomatch/error.h"
+#include "isomatch/io/map_file.h"
+
+namespace isomatch::cli {
+namespace {
+
+std::optional<TruthEvaluation> evaluate_truth(const Shape& source, const Shape& target,
+                                              const MeasuredMap& map,
+                                              const std::vector<int>& at_source,
+                                              const std::vector<int>& at_target,
+                                              const TruthOptions& options, const Context& context) {
+  if (at_target.empty()) return std::nullopt;
+  const GroundTruth truth = surface_truth(source.surface, target.surface, at_source, at_target);
+  TruthEvaluation result{at_source.size(), truth.size(), {}, {}, {}};
+  result.template_errors = template_errors(target, truth, map.matches, options, context);
+  if (map.points) result.point_errors = point_errors(target, truth, *map.points, options, context);
+  result.match_errors = match_errors(target, truth, map.matches, options, context);
+  return result;
+}
+
+Json to_json(const ErrorStatistics& errors) {
+  return {{"mean", errors.mean},
+          {"median", errors.median},
+          {"p95", errors.p95},
+          {"maximum", errors.maximum},
+          {"samples", errors.samples}};
+}
+
+Json to_json(const TruthEvaluation& truth) {
+  Json json = {{"template_points", truth.points_in_files},
+               {"template_points_on_surfaces", truth.points},
+               {"error_over_sqrt_area", to_json(truth.template_errors)}};
+  if (truth.point_errors) json["point_error_over_sqrt_area"] = to_json(*truth.point_errors);
+  json["d_grd_over_max_geodesic"] = to_json(truth.match_errors);
+  return json;
+}
+
+std::vector<int> read_target_truth(const std::string& file, int vertices, const TruthFiles& files,
+                                   std::size_t points) {
+  if (file.empty()) return {};
+  std::vector<int> truth = read_ground_truth(file, vertices);
+  if (truth.size() != points)
+    throw BadFile(
+        file, fmt::format("{} template points, but {} has {}", truth.size(), files.source, points));
+  return truth;
+}
+
+}  // namespace
+
+TruthVertices read_truth(const TruthFiles& files, VertexCounts counts) {
+  if (files.target.empty()) return {};
+  TruthVertices truth;
+  truth.source = read_ground_truth(files.source, counts.source);
+  truth.target = read_target_truth(files.target, counts.target, files, truth.source.size());
+  truth.symmetric_target =
+      read_target_truth(files.symmetric_target, counts.target, files, truth.source.size());
+  return truth;
+}
+
+int input_vertex_count(const Shape& shape) {
+  return static_cast<int>(shape.surface.surface_vertex.size());
+}
+
+Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
+                    const TruthVertices& truth, const EvaluationOptions& options,
+                    const Context& context) {
+  const auto against = [&](const std::vector<int>& at_target) {
+    return evaluate_truth(source, target, map, truth.source, at_target, options.truth, context);
+  };
+  Evaluation result;
+  result.matches = static_cast<int>(map.matches.size());
+  result.truth = against(truth.target);
+  result.symmetric_truth = against(truth.symmetric_target);
+  result.coverage = target_coverage(target, map.matches);
+  result.orientation = map_orientation(source, target, map.matches, {}, context);
+  result.distortion =
+      isometric_distortion(source, target, map.matches, options.distortion, context);
+  return result;
+}
+
+Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
+                    const TruthFiles& files, const EvaluationOptions& options,
+                    const Context& context) {
+  const VertexCounts counts{input_vertex_count(source), input_vertex_count(target)};
+  return evaluate(source, target, map, read_truth(files, counts), options, context);
+}
+
+Json to_json(const Evaluation& evaluation) {
+  Json json = {{"matches", evaluation.matches},
+               {"d_iso_over_max_geodesic",
+                {{"mean", evaluation.distortion.mean}, {"maximum", evaluation.distortion.maximum}}},
+               {"target_hit",
+                {{"vertices", evaluation.coverage.vertices}, {"area", evaluation.coverage.area}}},
+               {"orientation",
+                {{"verdict", to_string(evaluation.orientation.verdict)},
+                 {"preserved_share", evaluation.orientation.preserved_share},
+                 {"mean_sign", evaluation.orientation.mean_sign},
+                 {"votes", evaluation.orientation.votes}}}};
+  if (evaluation.truth) json["ground_truth"] = to_json(*evaluation.truth);
+  if (evaluation.symmetric_truth) {
+    json["symmetric_ground_truth"] = to_json(*evaluation.symmetric_truth);
+    json["flipped"] = evaluation.flipped();
+  }
+  return json;
+}
+
+}  // namespace isomatch::cli

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "results/folder/report.h"
+
+#include <fmt/format.h>
+
+#include "isomatch/version.h"
+#include "load.h"
+#include "progress_bar.h"
+
+namespace isomatch::cli {
+namespace {
+
+Json input_json(const MatchInput& input) {
+  Json json;
+  set_path(json, "file", input.path);
+  json.update({{"triangulated_polygons", input.read_report.triangulated_polygons},
+               {"merged_vertices", input.read_report.merged_vertices},
+               {"read_warnings", input.read_report.warnings}});
+  json.update(to_json(input.diagnosis));
+  return json;
+}
+
+}  // namespace
+
+Json report_head(const MatchInputs& inputs, const Json& options) {
+  Json head{{"isomatch", kVersion}};
+  set_paths(head, "command", inputs.words);
+  set_path(head, "working_folder", inputs.working_folder);
+  head.update({{"options", options},
+               {"source", input_json(inputs.source)},
+               {"target", input_json(inputs.target)}});
+  return head;
+}
+
+std::vector<StageTime> joined(std::vector<StageTime> loading,
+                              const std::vector<StageTime>& matching) {
+  loading.insert(loading.end(), matching.begin(), matching.end());
+  return loading;
+}
+
+Json report_tail(const std::vector<StageTime>& times) {
+  Json seconds = Json::object(), peaks = Json::object();
+  for (const StageTime& time : times) {
+    seconds[time.stage] = time.seconds;
+    peaks[time.stage] = time.peak_memory_mib;
+  }
+  return {{"seconds", seconds},
+          {"peak_memory_mib", peak_memory_mib()},
+          {"peak_memory_mib_after", peaks}};
+}
+
+Json options_json(const std::string& method, unsigned long seed) {
+  return {{"method", method}, {"seed", seed}};
+}
+
+void print_outcome(const MatchInputs& inputs, const Summary& summary, const Fit& fit,
+                   const std::string& folder, bool quiet) {
+  std::vector<std::string> all = remarks(fit);
+  all.insert(all.end(), summary.remarks.begin(), summary.remarks.end());
+  if (quiet) {
+    for (const std::string& remark : all) warn(remark);
+    warn_of_defects(inputs);
+    return;
+  }
+  ProgressBar::make_room();
+  for (const std::string& line : summary.lines) fmt::print("{}\n", line);
+  fmt::print("{}\n", describe(fit));
+  for (const std::string& remark : all) fmt::print("! {}\n", remark);
+  for (const auto& [name, input] :
+       {std::pair{"source", &inputs.source}, {"target", &inputs.target}}) {
+    for (const std::string& warning : input->diagnosis.warnings())
+      fmt::print("! {}: {}\n", name, warning);
+  }
+  fmt::print("written to {}\n", folder);
+}
+
+}  // namespace isomatch::cli

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "results/folder/tracked_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isomatch/io/map_io.h"
+#include "isomatch/mesh/topology.h"
+#include "results/folder/input_numbers.h"
+#include "results/folder/report.h"
+
+namespace isomatch::cli {
+namespace {
+
+int count_points(const SurfaceMap& map) {
+  const auto has_face = [](const SurfacePoint& point) { return point.face != kNoFace; };
+  return static_cast<int>(std::ranges::count_if(map, has_face));
+}
+
+/// Writes a map in both forms, as `stem`.txt and `stem`.bary.txt.
+void write_points(ResultFolder& folder, const std::string& stem, const MatchInput& onto,
+                  const SurfaceMap& map) {
+  write_source_to_target(folder.add(stem + ".txt"), nearest_vertices(onto.mesh, map));
+  write_surface_map(folder.add(stem + ".bary.txt"), map);
+}
+
+/// `place` is the map's folder with a slash, or empty.
+void write_map(ResultFolder& folder, const std::string& place, const TrackedRun& run,
+               const TrackedMap& map) {
+  const MatchInput& source = run.inputs.source;
+  const MatchInput& target = run.inputs.target;
+  write_points(folder, place + "source_to_target", target,
+               input_points(source, target, map.source_to_target));
+  if (run.target_to_source)
+    write_points(folder, place + "target_to_source", source,
+                 input_points(target, source, map.target_to_source));
+  write_mesh(folder.add(place + "registered.ply"),
+             input_pose(source.mesh, source.surface, map.registered));
+}
+
+std::string alternative_folder(std::size_t number) {
+  return fmt::format("alternatives/{}", number);
+}
+
+Json map_json(const TrackedMap& map) {
+  return {{"energy", map.energy},           {"distance", map.distance},
+          {"deviation", map.deviation},     {"distortion", map.distortion},
+          {"orientation", map.orientation}, {"mirrored", map.mirrored}};
+}
+
+Json alternatives_json(const TrackedRun& run) {
+  Json alternatives = Json::array();
+  for (std::size_t k = 1; k < run.result.maps.size(); ++k) {
+    Json alternative{{"folder", alternative_folder(k)}, {"fit", to_json(run.fits[k])}};
+    alternative.update(map_json(run.result.maps[k]));
+    alternatives.push_back(alternative);
+  }
+  return alternatives;
+}
+
+Json hypotheses_json(const std::vector<HypothesisSummary>& hypotheses) {
+  Json json = Json::array();
+  for (const HypothesisSummary& hypothesis : hypotheses)
+    json.push_back({{"distortion", hypothesis.distortion},
+                    {"orientation", hypothesis.orientation},
+                    {"coarse_energy", hypothesis.coarse_energy}});
+  return json;
+}
+
+/// Whether a quite different map fits so nearly as well that it may be the right one.
+bool is_ambiguous(const TrackedResult& result) {
+  // Costs that differ by less may well be those of the other map.
+  constexpr double kClear = 0.9;
+  return result.ambiguity > kClear;
+}
+
+Json landmarks_json(const std::vector<Match>& landmarks) {
+  Json json = Json::array();
+  for (const Match& landmark : landmarks) json.push_back({landmark.source, landmark.target});
+  return json;
+}
+
+Json report_json(const TrackedRun& run, std::size_t num_matches,
+                 const std::vector<StageTime>& times) {
+  const TrackedResult& result = run.result;
+  const int matched = matched_vertices(run, result.maps.front());
+  Json report = report_head(run.inputs, run.options);
+  report.update({{"source_vertices_matched", matched},
+                 {"source_vertices_unmatched", run.inputs.source.mesh.num_vertices() - matched},
+                 {"matches", num_matches},
+                 {"map", map_json(result.maps.front())},
+                 {"fit", to_json(run.fits.front())},
+                 {"ambiguity", result.ambiguity},
+                 {"ambiguous", is_ambiguous(result)},
+                 {"oriented", result.oriented},
+                 {"contradicted_landmarks", landmarks_json(run.contradicted_landmarks)},
+                 {"alternatives", alternatives_json(run)},
+                 {"hypotheses", hypotheses_json(result.hypotheses)}});
+  report.update(report_tail(times));
+  return report;
+}
+
+}  // namespace
+
+std::vector<std::string> tracked_files(int alternatives, bool target_to_source) {
+  // There are never as many.
+  constexpr int kMostAlternatives = 1000;
+  std::vector<std::string> files{"correspondence.txt"};
+  for (int k = 0; k <= std::min(alternatives, kMostAlternatives); ++k) {
+    const std::string place = k == 0 ? "" : alternative_folder(k) + "/";
+    files.push_back(place + "registered.ply");
+    for (const char* map : {"source_to_target", "target_to_source"}) {
+      if (map[0] == 't' && !target_to_source) continue;
+      for (const char* ending : {".txt", ".bary.txt"}) files.push_back(place + map + ending);
+    }
+  }
+  return files;
+}
+
+std::vector<Match> contradicted_pairs(const MatchInputs& inputs, const TrackedResult& result,
+                                      const std::vector<Match>& pairs) {
+  std::vector<Match> found;
+  for (const Match& pair : pairs) {
+    const Match landmark{inputs.source.surface.surface_vertex[pair.source],
+                         inputs.target.surface.surface_vertex[pair.target]};
+    if (std::ranges::count(result.contradicted_landmarks, landmark) > 0) found.push_back(pair);
+  }
+  return found;
+}
+
+std::vector<std::string> doubts(const TrackedRun& run) {
+  std::vector<std::string> list;
+  for (const auto& [source, target] : run.contradicted_landmarks)
+    list.push_back(
+        fmt::format("the landmark {} {} contradicts the shapes: without it a far better "
+                    "map is found",
+                    source, target));
+  if (is_ambiguous(run.result))
+    list.push_back(
+        fmt::format("ambiguous: another, quite different map fits nearly as well "
+                    "({:.0f} %); look for a flip, and at the alternatives",
+                    100 * run.result.ambiguity));
+  if (!run.result.oriented && !run.options.value("allow-reflection", false))
+    list.emplace_back("a surface does not tell outside from inside: the map may be mirrored");
+  return list;
+}
+
+int matched_vertices(const TrackedRun& run, const TrackedMap& map) {
+  return count_points(input_points(run.inputs.source, run.inputs.target, map.source_to_target));
+}
+
+void write_tracked(const ResultPlan& plan, const TrackedRun& run) {
+  const std::vector<TrackedMap>& maps = run.result.maps;
+  std::vector<StageTime> times = joined(run.inputs.times, run.result.times);
+  ResultFolder folder(plan);
+  std::size_t num_matches = 0;
+  {
+    const StageTimer timer(times, "writing");
+    write_map(folder, "", run, maps.front());
+    const Correspondence relation = input_matches(run.inputs, maps.front());
+    write_correspondence(folder.add("correspondence.txt"), relation);
+    num_matches = relation.size();
+    for (std::size_t k = 1; k < maps.size(); ++k)
+      write_map(folder, alternative_folder(k) + "/", run, maps[k]);
+  }
+  folder.write_report(report_json(run, num_matches, times));
+}
+
+}  // namespace isomatch::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+
+#include "isomatch/methods/tracked.h"
+#include "results/folder/inputs.h"
+#include "results/folder/result_folder.h"
+#include "results/folder/verdict.h"
+#include "results/json.h"
+
+namespace isomatch::cli {
+
+/// Everything that a match by the tracked method leaves behind.
+struct TrackedRun {
+  MatchInputs inputs;
+  Json options;
+  TrackedResult result;
+  /// Of each map.
+  std::vector<Fit> fits;
+  /// Landmarks that the shapes contradict, in the numbers of the input files.
+  std::vector<Match> contradicted_landmarks;
+  bool target_to_source = false;
+};
+
+/// Of the source's input vertices, those that `map`, one of `run`'s, leads to a point.
+int matched_vertices(const TrackedRun& run, const TrackedMap& map);
+
+/// Those of `pairs`, the landmarks in the numbers of the input files, that the shapes contradict.
+std::vector<Match> contradicted_pairs(const MatchInputs& inputs, const TrackedResult& result,
+                                      const std::vector<Match>& pairs);
+
+/// Besides the fit and the defects of the meshes, why one should look at the map: a sentence each.
+std::vector<std::string> doubts(const TrackedRun& run);
+
+/// Writes into the folder of `plan` (see `ResultFolder`), in the numbers of the input files:
+/// - source_to_target.txt: the nearest target vertex of every source vertex;
+/// - source_to_target.bary.txt: the target face of every source vertex, and the weights;
+/// - target_to_source.txt and .bary.txt: the same the other way round, if asked for;
+/// - registered.ply: the source in the target's pose;
+/// - correspondence.txt: the many-to-many relation of the best map;
+/// - alternatives/K/: the maps of the alternatives, from 1, under the same names;
+/// - report.json.
+void write_tracked(const ResultPlan& plan, const TrackedRun& run);
+
+/// The names of what it may write, with this many alternatives at most; but for report.json.
+std::vector<std::string> tracked_files(int alternatives, bool target_to_source);
+
+}  // namespace isomatch::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "results/option_names.h"
+
+#include <algorithm>
+
+namespace isomatch::cli {
+
+std::string option_name(std::string_view field) {
+  if (field == "max_levels") return "levels";
+  std::string name(field);
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
+
+}  // namespace isomatch::cli

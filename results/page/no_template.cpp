@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "results/page/template.h"
+
+namespace isomatch::cli {
+
+std::string_view page_template() { return {}; }
+
+}  // namespace isomatch::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+
+#include "isomatch/context.h"
+#include "results/page/measures.h"
+#include "results/page/pair_view.h"
+
+namespace isomatch::cli {
+
+struct PageOptions {
+  TruthFiles truth;
+  ViewOptions view;
+};
+
+/// What a page shows, in the form that viewer/src/data reads.
+struct PageData {
+  /// Everything that is small, and what the arrays are.
+  Json manifest;
+  /// The rest: an `ArrayPacker`'s block.
+  std::string arrays;
+};
+
+/// Measures the maps of `result` and packs all that the page needs. Vertices are those shown (see
+/// `DisplayMesh`). Arrays, n and m the vertices shown of the source and the target:
+/// - source/numbers, source/position (3n: all x, all y, all z), source/corner0, corner1, corner2;
+///   target likewise. Corners 1 and 2 are zigzag differences from corner 0;
+/// - for map K, 0 the best: maps/K/image (3n), maps/K/partner (n: target vertex + 1, 0 where
+///   unmatched), maps/K/back (m: source vertex + 1, 0), maps/K/registered (3n, if the method
+///   registers), maps/K/d_iso (n), maps/K/error (n, if there is a truth);
+/// - for level K of the paper's method: levels/K/source, levels/K/target, levels/K/d_iso.
+/// Coordinates and distances are 16-bit steps; the manifest has the steps' `low` and `size`.
+/// Distances keep 65535 for what was not measured.
+PageData page_data(MatchResult result, const PageOptions& options, const Context& context);
+
+}  // namespace isomatch::cli

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nanoflann.hpp>
+
+#include "carry/checks.h"
+#include "carry/welded.h"
+#include "geometry/closest_point.h"
+#include "isomatch/carry/map_inversion.h"
+#include "isomatch/error.h"
+#include "isomatch/mesh/topology.h"
+#include "parallel.h"
+
+namespace isomatch {
+namespace {
+
+/// Normals of vertices, those of split ones equal; zero where they cancel out.
+std::vector<Point> vertex_normals(const Mesh& mesh) {
+  const transfer::WeldedMesh welded = transfer::weld(mesh);
+  const std::vector<Point> sums = weighted_vertex_normals(welded.mesh);
+  std::vector<Point> normals;
+  normals.reserve(mesh.vertices.size());
+  for (int v : welded.vertex) normals.push_back(sums[v].normalized());
+  return normals;
+}
+
+/// The images of source vertices on the target, in a space of position and weighted normal.
+class Images {
+ public:
+  static constexpr int kDimensions = 6;
+  using Coordinates = Eigen::Matrix<double, kDimensions, 1>;
+
+  Images(const Mesh& source, const Mesh& target, const SurfaceMap& source_to_target,
+         double normal_weight)
+      : source_(source), normal_weight_(normal_weight), normals_(vertex_normals(target)) {
+    std::vector<int> image_of(source.vertices.size(), kNoVertex);
+    for (int v = 0; v < source.num_vertices(); ++v) {
+      const SurfacePoint& point = source_to_target[v];
+      if (point.face == kNoFace) continue;
+      image_of[v] = static_cast<int>(points_.size());
+      points_.push_back(image(target, point));
+    }
+    for (int f = 0; f < source.num_faces(); ++f) {
+      Face face;
+      for (int k = 0; k < 3; ++k) face[k] = image_of[source.faces[f][k]];
+      if (std::ranges::count(face, kNoVertex) > 0) continue;
+      faces_.faces.push_back(face);
+      source_face_.push_back(f);
+    }
+    faces_.vertices.resize(points_.size());
+    around_ = vertex_faces(faces_);
+    tree_ = std::make_unique<Tree>(kDimensions, *this);
+  }
+
+  bool empty() const { return faces_.faces.empty(); }
+
+  Coordinates coordinates(const Mesh& target, int vertex) const {
+    return joined(target.vertices[vertex], normals_[vertex]);
+  }
+
+  /// The source point whose image is closest to `query` in position and normal, on the faces around
+  /// the nearest images; none if it is farther than `max_distance` in position.
+  SurfacePoint nearest(const Coordinates& query, double max_distance) const {
+    std::array<unsigned int, kCandidates> indices{};
+    std::array<double, kCandidates> distances{};
+    const std::size_t found =
+        tree_->knnSearch(query.data(), kCandidates, indices.data(), distances.data());
+    SurfacePoint best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < found; ++i) {
+      for (int f : around_[static_cast<int>(indices[i])]) {
+        const auto [point, distance] = nearest_on(f, query);
+        if (distance > least || (distance == least && point.face >= best.face)) continue;
+        least = distance;
+        best = point;
+      }
+    }
+    if (best.face == kNoFace || gap(best, query) > max_distance) return {};
+    return {source_face_[best.face], best.weights};
+  }
+
+  // What nanoflann asks for.
+  std::size_t kdtree_get_point_count() const { return points_.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t k) const { return points_[i][k]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kCandidates = 6;
+  using Distance = nanoflann::L2_Simple_Adaptor<double, Images>;
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Distance, Images, kDimensions>;
+
+  Coordinates joined(const Point& position, const Point& normal) const {
+    Coordinates result;
+    result << position, normal_weight_ * normal;
+    return result;
+  }
+
+  Coordinates image(const Mesh& target, const SurfacePoint& point) const {
+    Point normal(0, 0, 0);
+    for (int k = 0; k < 3; ++k) normal += point.weights[k] * normals_[target.faces[point.face][k]];
+    return joined(position(target, point), normal.normalized());
+  }
+
+  Coordinates blend(const SurfacePoint& point) const {
+    Coordinates sum = Coordinates::Zero();
+    for (int k = 0; k < 3; ++k) sum += point.weights[k] * points_[faces_.faces[point.face][k]];
+    return sum;
+  }
+
+  /// Closest in position on the face, and its squared distance in all.
+  FacePoint nearest_on(int face, const Coordinates& query) const {
+    const auto& [a, b, c] = faces_.faces[face];
+    SurfacePoint point{face, closest_weights(query.head<3>(), points_[a].head<3>(),
+                                             points_[b].head<3>(), points_[c].head<3>())};
+    // Images that fall onto one place leave a face degenerate: its nearest corner stands for it.
+    if (!std::isfinite(point.weights[0] + point.weights[1] + point.weights[2]))
+      point.weights = nearest_corner(face, query);
+    return {point, (blend(point) - query).squaredNorm()};
+  }
+
+  std::array<double, 3> nearest_corner(int face, const Coordinates& query) const {
+    int best = 0;
+    for (int k = 1; k < 3; ++k) {
+      const auto distance = [&](int corner) {
+        return (points_[faces_.faces[face][corner]] - query).squaredNorm();
+      };
+      if (distance(k) < distance(best)) best = k;
+    }
+    std::array<double, 3> weights{};
+    weights[best] = 1;
+    return weights;
+  }
+
+  double gap(const SurfacePoint& point, const Coordinates& query) const {
+    return (blend(point) - query).head<3>().norm();
+  }
+
+  const Mesh& source_;
+  double normal_weight_;
+  std::vector<Point> normals_;
+  std::vector<Coordinates> points_;
+  /// Between images; without positions.
+  Mesh faces_;
+  std::vector<int> source_face_;
+  IndexLists around_;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace
+
+void InversionOptions::validate() const {
+  if (!std::isfinite(max_distance) || max_distance < 0)
+    throw InvalidInput("max_distance must not be negative");
+  if (!std::isfinite(normal_weight) || normal_weight < 0)
+    throw InvalidInput("normal_weight must not be negative");
+}
+
+SurfaceMap invert_map(const Mesh& source, const Mesh& target, const SurfaceMap& source_to_target,
+                      const InversionOptions& options, const Context& context) {
+  options.validate();
+  transfer::check_map(source.num_vertices(), target, source_to_target);
+  // Of vertices that are not finite or stray nothing is asked, and they spoil no other's normal.
+  const std::vector<int> places = stand_ins(target);
+  Mesh sound = target;
+  for (std::size_t t = 0; t < places.size(); ++t) sound.vertices[t] = target.vertices[places[t]];
+  const double unit = std::sqrt(surface_area(sound));
+  const Images images(source, sound, source_to_target, options.normal_weight * unit);
+  SurfaceMap result(target.vertices.size());
+  if (images.empty()) return result;
+  parallel_for(target.num_vertices(), context, [&](std::ptrdiff_t i) {
+    const int t = static_cast<int>(i);
+    if (places[t] == t)
+      result[t] = images.nearest(images.coordinates(sound, t), options.max_distance * unit);
+  });
+  return result;
+}
+
+}  // namespace isomatch

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include <algorithm>
+
+#include "carry/checks.h"
+#include "carry/welded.h"
+#include "geometry/face_walk.h"
+#include "isomatch/carry/transfer.h"
+#include "isomatch/error.h"
+#include "isomatch/mesh/topology.h"
+
+namespace isomatch {
+namespace {
+
+/// The one corner that counts, or -1.
+int only_corner(const SurfacePoint& point) {
+  for (int k = 0; k < 3; ++k)
+    if (point.weights[k] == 1) return k;
+  return -1;
+}
+
+}  // namespace
+
+SurfaceMap transfer_points(const Mesh& source, const Mesh& target,
+                           const SurfaceMap& source_to_target,
+                           std::span<const SurfacePoint> points) {
+  transfer::check_map(source.num_vertices(), target, source_to_target);
+  const transfer::WeldedMesh welded = transfer::weld(target);
+  const transfer::FaceWalk walk(welded.mesh);
+  const auto carried = [&](const SurfacePoint& point) -> SurfacePoint {
+    if (point.face == kNoFace) return {};
+    if (point.face < 0 || point.face >= source.num_faces())
+      throw InvalidInput("a point lies on a face that the source does not have");
+    const Face& face = source.faces[point.face];
+    if (const int k = only_corner(point); k >= 0) return source_to_target[face[k]];
+    Point mean(0, 0, 0);
+    std::vector<int> starts;
+    for (int k = 0; k < 3; ++k) {
+      if (point.weights[k] == 0) continue;
+      const SurfacePoint& image = source_to_target[face[k]];
+      if (image.face == kNoFace) return {};
+      mean += point.weights[k] * position(target, image);
+      starts.push_back(image.face);
+    }
+    return walk.closest(mean, starts);
+  };
+  SurfaceMap result;
+  result.reserve(points.size());
+  for (const SurfacePoint& point : points) result.push_back(carried(point));
+  return result;
+}
+
+}  // namespace isomatch

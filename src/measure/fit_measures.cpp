@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "measure/fit_measures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "geometry/face_orientation.h"
+#include "isomatch/error.h"
+#include "isomatch/geodesics/geodesics.h"
+#include "isomatch/mesh/mesh.h"
+#include "isomatch/mesh/topology.h"
+#include "parallel.h"
+
+namespace isomatch {
+namespace {
+
+/// Evenly spread places around which distances are compared, on shapes with limbs .06 apart.
+constexpr int kSamples = 300;
+/// Those around a sample that it is compared with; 10 to 20 on flat parts.
+constexpr float kReach = 0.15F;
+/// Of these, those that global distances are measured between.
+constexpr int kFarSamples = 100;
+/// Heights are measured against a mean of this width.
+constexpr float kReliefWidth = 0.05F;
+/// Standard deviation of heights below which a surface is too even to tell places apart.
+constexpr double kEven = 0.002;
+/// What rounding to vertices may do to a distance.
+constexpr float kNoise = 0.02F;
+/// Images farther apart than this count as this far, which is torn in any case.
+constexpr float kFar = 0.7F;
+/// Nearer than this to an image a point is reached.
+constexpr float kReached = 0.05F;
+
+/// A surface of unit area, and its edges as a graph: distances up to a tenth too long do here.
+struct Side {
+  Mesh mesh;
+  GeodesicGraph graph;
+  std::vector<double> vertex_areas;
+  /// Which way is out for each face; none if the surface does not tell.
+  std::optional<std::vector<signed char>> signs;
+  /// Area-weighted and turned outwards, of the vertices.
+  std::vector<Point> normals;
+};
+
+/// Twice the area of a face as a vector along its normal.
+Point area_vector(const Mesh& mesh, int face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
+}
+
+Side make_side(const Surface& surface, const Context& context) {
+  Mesh mesh = surface.mesh;
+  const double scale = 1 / std::sqrt(surface.area);
+  const Point centre = mesh.vertices.front();
+  for (Point& p : mesh.vertices) p = (p - centre) * scale;
+  GeodesicGraph graph(mesh, GeodesicOptions::edges(), context);
+  std::vector<double> areas = vertex_areas(mesh);
+  auto signs = face_orientation(mesh);
+  std::vector<Point> normals(mesh.vertices.size(), Point(0, 0, 0));
+  for (int f = 0; f < mesh.num_faces(); ++f)
+    for (int v : mesh.faces[f]) normals[v] += (signs ? (*signs)[f] : 1) * area_vector(mesh, f);
+  for (Point& normal : normals) normal.normalize();
+  return {std::move(mesh), std::move(graph), std::move(areas), std::move(signs),
+          std::move(normals)};
+}
+
+void check_map(const Surface& source, const Surface& target, const SurfaceMap& map) {
+  if (std::ssize(map) != source.num_vertices())
+    throw InvalidInput("the map's length is not the source's number of vertices");
+  for (const SurfacePoint& point : map)
+    if (point.face < kNoFace || point.face >= target.mesh.num_faces())
+      throw InvalidInput("the map has a face that is not part of the target");
+}
+
+/// Vertices of the source that have an image, and the target's vertex nearest to each.
+struct Images {
+  std::vector<int> vertices, targets;
+};
+
+Images images_of(const Side& target, const SurfaceMap& map) {
+  Images images;
+  const VertexMap nearest = nearest_vertices(target.mesh, map);
+  for (int v = 0; v < static_cast<int>(map.size()); ++v) {
+    if (nearest[v] == kUnmatched) continue;
+    images.vertices.push_back(v);
+    images.targets.push_back(nearest[v]);
+  }
+  return images;
+}
+
+/// Distances between the samples (rows and columns) within `reach`, infinite beyond.
+std::vector<float> distances_between(const Side& side, const std::vector<int>& samples, float reach,
+                                     const Context& context) {
+  struct Work {
+    GeodesicSearch search;
+    std::vector<float> field;
+  };
+  const auto make = [&] {
+    return Work{
+        GeodesicSearch(side.graph),
+        std::vector<float>(side.mesh.num_vertices(), std::numeric_limits<float>::infinity())};
+  };
+  std::vector<float> rows(samples.size() * samples.size());
+  parallel_for(std::ssize(samples), context, make, [&](Work& work, std::ptrdiff_t i) {
+    const auto reached = work.search.ball(samples[i], reach);
+    for (const auto& [vertex, distance] : reached) work.field[vertex] = distance;
+    for (std::size_t j = 0; j < samples.size(); ++j)
+      rows[i * samples.size() + j] = work.field[samples[j]];
+    for (const auto& [vertex, distance] : reached)
+      work.field[vertex] = std::numeric_limits<float>::infinity();
+  });
+  return rows;
+}
+
+/// For each sample the mean |log s| over those around it.
+std::vector<double> stretch_around(const std::vector<float>& before,
+                                   const std::vector<float>& after, std::size_t samples) {
+  std::vector<double> stretch(samples, 0);
+  for (std::size_t i = 0; i < samples; ++i) {
+    double sum = 0;
+    int count = 0;
+    for (std::size_t k = i * samples; k < (i + 1) * samples; ++k) {
+      if (k == i * samples + i || std::isinf(before[k])) continue;
+      sum += std::abs(std::log((std::min(after[k], kFar) + kNoise) / (before[k] + kNoise)));
+      ++count;
+    }
+    if (count > 0) stretch[i] = sum / count;
+  }
+  return stretch;
+}
+
+/// Those of the images that are evenly spread over the source.
+Images spread(const Images& images, const Side& source, const Context& context) {
+  Images samples;
+  for (int k : farthest_points(source.graph, images.vertices, kSamples, 0, context)) {
+    samples.vertices.push_back(images.vertices[k]);
+    samples.targets.push_back(images.targets[k]);
+  }
+  return samples;
+}
+
+/// `near` are the distances between the samples on the source that are within reach.
+void measure_stretch(const Side& target, const Images& samples, const std::vector<float>& near,
+                     const Context& context, FitMeasures& measures) {
+  const std::vector<double> stretch = stretch_around(
+      near, distances_between(target, samples.targets, kFar, context), samples.vertices.size());
+  const auto count = static_cast<double>(stretch.size());
+  measures.stretch = std::accumulate(stretch.begin(), stretch.end(), 0.0) / count;
+  const auto is_distorted = [](double s) { return s > std::numbers::ln2; };
+  measures.distorted = static_cast<double>(std::ranges::count_if(stretch, is_distorted)) / count;
+}
+
+double displacement(const Side& source, const Side& target, Images samples,
+                    const Context& context) {
+  const std::size_t count = std::min<std::size_t>(samples.vertices.size(), kFarSamples);
+  samples.vertices.resize(count);
+  samples.targets.resize(count);
+  constexpr float kAll = std::numeric_limits<float>::infinity();
+  const std::vector<float> before = distances_between(source, samples.vertices, kAll, context);
+  const std::vector<float> after = distances_between(target, samples.targets, kAll, context);
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    double sum = 0;
+    for (std::size_t k = i * count; k < (i + 1) * count; ++k) sum += std::abs(before[k] - after[k]);
+    largest = std::max(largest, sum / static_cast<double>(count));
+  }
+  return largest;
+}
+
+/// How high each of `vertices` lies above the mean of the surface around it.
+std::vector<double> heights(const Side& side, const std::vector<int>& vertices,
+                            const Context& context) {
+  std::vector<double> result(vertices.size());
+  const auto make = [&] { return GeodesicSearch(side.graph); };
+  parallel_for(std::ssize(vertices), context, make, [&](GeodesicSearch& search, std::ptrdiff_t i) {
+    Point mean(0, 0, 0), normal(0, 0, 0);
+    double all = 0;
+    for (const auto& [vertex, distance] : search.ball(vertices[i], 2 * kReliefWidth)) {
+      const float widths = distance / kReliefWidth;
+      const double weight = side.vertex_areas[vertex] * std::exp(-widths * widths / 2);
+      mean += weight * side.mesh.vertices[vertex];
+      normal += weight * side.normals[vertex];
+      all += weight;
+    }
+    if (all > 0) result[i] = normal.normalized().dot(side.mesh.vertices[vertices[i]] - mean / all);
+  });
+  return result;
+}
+
+/// Subtracts the mean. Returns the standard deviation.
+double centre(std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double sum = 0;
+  for (double& value : values) {
+    value -= mean;
+    sum += value * value;
+  }
+  return std::sqrt(sum / count);
+}
+
+double relief_agreement(const Side& source, const Side& target, const Images& samples,
+                        const Context& context) {
+  std::vector<double> before = heights(source, samples.vertices, context);
+  std::vector<double> after = heights(target, samples.targets, context);
+  const double deviations[] = {centre(before), centre(after)};
+  if (deviations[0] < kEven || deviations[1] < kEven) return 1;
+  return std::inner_product(before.begin(), before.end(), after.begin(), 0.0) /
+         (static_cast<double>(before.size()) * deviations[0] * deviations[1]);
+}
+
+/// Share of the area that is farther from all of `vertices` than `limit`.
+double share_beyond(const Side& side, const std::vector<int>& vertices, float limit) {
+  const std::vector<float> distances =
+      GeodesicSearch(side.graph).nearest_source(vertices).distances;
+  double beyond = 0;
+  for (std::size_t v = 0; v < distances.size(); ++v)
+    if (distances[v] > limit) beyond += side.vertex_areas[v];
+  return beyond;
+}
+
+/// What the turn from one neighbour to another looks like from above a place.
+double sine(const Point& normal, const Point& a, const Point& b) {
+  return normal.dot(a.normalized().cross(b.normalized()));
+}
+
+/// Sum, over all pairs of the neighbours of a sample, of the product of their sines before and
+/// after: negative where most turns change their sense.
+double turning(const Side& source, const Side& target, const Images& samples, std::size_t at,
+               const std::vector<int>& neighbours) {
+  const auto towards = [&](const Side& side, const std::vector<int>& vertices, int neighbour) {
+    return Point(side.mesh.vertices[vertices[neighbour]] - side.mesh.vertices[vertices[at]]);
+  };
+  const Point& before = source.normals[samples.vertices[at]];
+  const Point& after = target.normals[samples.targets[at]];
+  double sum = 0;
+  for (std::size_t k = 1; k < neighbours.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      const auto seen = [&](const Side& side, const std::vector<int>& vertices,
+                            const Point& normal) {
+        return sine(normal, towards(side, vertices, neighbours[j]),
+                    towards(side, vertices, neighbours[k]));
+      };
+      sum += seen(source, samples.vertices, before) * seen(target, samples.targets, after);
+    }
+  }
+  return sum;
+}
+
+/// Share of the samples around which the map turns the surface over.
+double reversed_share(const Side& source, const Side& target, const Images& samples,
+                      const std::vector<float>& near) {
+  if (!source.signs || !target.signs) return -1;
+  const std::size_t count = samples.vertices.size();
+  int reversed = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<int> neighbours;
+    for (std::size_t j = 0; j < count; ++j)
+      if (j != i && !std::isinf(near[i * count + j]) && samples.targets[j] != samples.targets[i])
+        neighbours.push_back(static_cast<int>(j));
+    reversed += turning(source, target, samples, i, neighbours) < 0;
+  }
+  return static_cast<double>(reversed) / static_cast<double>(count);
+}
+
+}  // namespace
+
+FitMeasures measure_fit(const Surface& source, const Surface& target, const SurfaceMap& map,
+                        const Context& context) {
+  check_map(source, target, map);
+  const Side from = make_side(source, context), onto = make_side(target, context);
+  const Images images = images_of(onto, map);
+  if (images.vertices.empty()) return {.unreached = 1, .unmatched = 1, .reversed = -1};
+  FitMeasures measures;
+  const Images samples = spread(images, from, context);
+  const std::vector<float> near = distances_between(from, samples.vertices, kReach, context);
+  measure_stretch(onto, samples, near, context, measures);
+  measures.displacement = displacement(from, onto, samples, context);
+  measures.relief = relief_agreement(from, onto, samples, context);
+  // Of sparse maps and coarse meshes even neighbours are farther apart.
+  const auto spacing =
+      static_cast<float>(2 / std::sqrt(static_cast<double>(images.vertices.size())));
+  const float limit = std::max(kReached, spacing);
+  measures.unreached = share_beyond(onto, images.targets, limit);
+  measures.unmatched = share_beyond(from, images.vertices, limit);
+  measures.reversed = reversed_share(from, onto, samples, near);
+  return measures;
+}
+
+}  // namespace isomatch

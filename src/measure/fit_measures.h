@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include "isomatch/measure/fit.h"
+
+namespace isomatch {
+
+/// Throws `InvalidInput` if the map does not fit the surfaces. O(N log N).
+FitMeasures measure_fit(const Surface& source, const Surface& target, const SurfaceMap& map,
+                        const Context& context);
+
+}  // namespace isomatch

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/mesh/mesh.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include "isomatch/error.h"
+
+namespace isomatch {
+
+void validate(const Mesh& mesh) {
+  if (mesh.vertices.empty()) throw InvalidInput("the mesh has no vertices");
+  if (mesh.faces.empty()) throw InvalidInput("the mesh has no faces");
+  for (int f = 0; f < mesh.num_faces(); ++f) {
+    for (int v : mesh.faces[f]) {
+      if (v < 0 || v >= mesh.num_vertices())
+        throw InvalidInput(fmt::format("face {} names vertex {}, but there are {} vertices", f, v,
+                                       mesh.num_vertices()));
+    }
+  }
+}
+
+void validate_finite(const Mesh& mesh) {
+  validate(mesh);
+  for (int v = 0; v < mesh.num_vertices(); ++v) {
+    if (!mesh.vertices[v].allFinite())
+      throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite", v));
+  }
+}
+
+double face_area(const Mesh& mesh, int face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  const Point& p = mesh.vertices[a];
+  return 0.5 * (mesh.vertices[b] - p).cross(mesh.vertices[c] - p).norm();
+}
+
+double surface_area(const Mesh& mesh) {
+  double sum = 0;
+  for (int f = 0; f < mesh.num_faces(); ++f) sum += face_area(mesh, f);
+  return sum;
+}
+
+std::vector<double> vertex_areas(const Mesh& mesh) {
+  std::vector<double> areas(mesh.vertices.size(), 0.0);
+  for (int f = 0; f < mesh.num_faces(); ++f) {
+    const double third = face_area(mesh, f) / 3;
+    for (int v : mesh.faces[f]) areas[v] += third;
+  }
+  return areas;
+}
+
+std::vector<Point> weighted_vertex_normals(const Mesh& mesh) {
+  std::vector<Point> normals(mesh.vertices.size(), Point::Zero());
+  for (const Face& face : mesh.faces) {
+    const Point& p = mesh.vertices[face[0]];
+    const Point normal = (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
+    for (int v : face) normals[v] += normal;
+  }
+  return normals;
+}
+
+}  // namespace isomatch
