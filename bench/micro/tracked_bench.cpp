@@ -9,8 +9,8 @@
 
 #include "isomatch/mesh/diagnosis.h"
 #include "isomatch/mesh/synth.h"
-#include "tracked/dense_map.h"
-#include "tracked/tracker.h"
+#include "tracked/tracks/dense_map.h"
+#include "tracked/tracks/finals.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -22,13 +22,13 @@ Mesh creature(int vertices, int pose) {
 /// A pair of creatures after every stage, made anew when a benchmark of another size begins.
 struct Pair {
   explicit Pair(int vertices)
-      : source(make_model(extract_surface(creature(vertices, 1)), false, options, {})),
-        target(make_model(extract_surface(creature(vertices, 2)), false, options, {})),
+      : source(make_pyramid(extract_surface(creature(vertices, 1)), false, options, {})),
+        target(make_pyramid(extract_surface(creature(vertices, 2)), false, options, {})),
         judged(judged_hypotheses(source, target, options, {}).possible),
         finals(run_finals(target, judged, options, {})) {}
 
-  TrackerOptions options;
-  Model source, target;
+  Options options;
+  Pyramid source, target;
   std::vector<Judged> judged;
   Finals finals;
 };

@@ -13,6 +13,7 @@
 #include "geometry/closest_point.h"
 #include "isomatch/carry/map_inversion.h"
 #include "isomatch/error.h"
+#include "isomatch/mesh/diagnosis.h"
 #include "isomatch/mesh/topology.h"
 #include "parallel.h"
 

@@ -3,29 +3,10 @@
 #include "isomatch/maps/surface_map.h"
 
 #include <algorithm>
-#include <array>
 
-#include "geometry/point_tree.h"
-#include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
-namespace {
-
-/// Surface face of each input face up to the last that is part of the surface, `kNoFace` if none.
-std::vector<int> surface_faces(const Surface& surface) {
-  std::vector<int> faces(std::ranges::max(surface.input_face) + 1, kNoFace);
-  for (int f = 0; f < surface.mesh.num_faces(); ++f) faces[surface.input_face[f]] = f;
-  return faces;
-}
-
-int nearest(const PointTree& tree, const Point& point) {
-  std::array<std::size_t, 1> index{};
-  tree.nearest(point, index);
-  return static_cast<int>(index[0]);
-}
-
-}  // namespace
 
 Point position(const Mesh& mesh, const SurfacePoint& point) {
   const Face& face = mesh.faces[point.face];
@@ -63,48 +44,6 @@ VertexMap nearest_vertices(const Mesh& mesh, const SurfaceMap& map) {
     vertices.push_back(point.face == kNoFace ? kUnmatched : mesh.faces[point.face][corner]);
   }
   return vertices;
-}
-
-SurfaceMap input_map(const Surface& source, const Surface& target, const SurfaceMap& map) {
-  SurfaceMap result(source.surface_vertex.size());
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    const int vertex = source.surface_vertex[v];
-    if (vertex == kNoVertex || map[vertex].face == kNoFace) continue;
-    result[v] = {target.input_face[map[vertex].face], map[vertex].weights};
-  }
-  return result;
-}
-
-SurfaceMap surface_map(const Surface& source, const Surface& target, const SurfaceMap& input_map) {
-  if (input_map.size() != source.surface_vertex.size())
-    throw InvalidInput("the map's length is not the source's number of vertices");
-  const std::vector<int> surface_face = surface_faces(target);
-  SurfaceMap result(source.num_vertices());
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    const SurfacePoint& point = input_map[source.input_vertex[v]];
-    if (point.face < kNoFace) throw InvalidInput("the map has a negative face");
-    if (point.face == kNoFace || std::cmp_greater_equal(point.face, surface_face.size())) continue;
-    const int face = surface_face[point.face];
-    if (face != kNoFace) result[v] = {face, point.weights};
-  }
-  return result;
-}
-
-Mesh input_pose(const Mesh& input, const Surface& surface, const std::vector<Point>& positions) {
-  if (input.vertices.size() != surface.surface_vertex.size() ||
-      positions.size() != surface.mesh.vertices.size())
-    throw InvalidInput("input_pose needs the mesh of the surface and a position for every vertex");
-  const PointTree tree(surface.mesh.vertices);
-  Mesh result = input;
-  for (int v = 0; v < input.num_vertices(); ++v) {
-    const int own = surface.surface_vertex[v];
-    const int leader = own != kNoVertex ? own : nearest(tree, input.vertices[v]);
-    result.vertices[v] =
-        own != kNoVertex
-            ? positions[own]
-            : Point(input.vertices[v] + positions[leader] - surface.mesh.vertices[leader]);
-  }
-  return result;
 }
 
 }  // namespace isomatch

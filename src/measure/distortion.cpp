@@ -7,8 +7,9 @@
 
 #include "isomatch/error.h"
 #include "isomatch/measure/metrics.h"
-#include "measure/checks.h"
+#include "measure/spread_matches.h"
 #include "parallel.h"
+#include "shape/prepared_shape.h"
 
 namespace isomatch {
 namespace {
@@ -19,18 +20,11 @@ constexpr int kFieldsAtATime = 32;
 /// look up in a field stays in the cache.
 constexpr int kMatchesAtATime = 1024;
 
-/// The first match of each source vertex.
-std::vector<Match> first_matches(const Correspondence& matches) {
-  std::vector<Match> first = matches;
-  const auto same_source = [](const Match& a, const Match& b) { return a.source == b.source; };
-  first.erase(std::unique(first.begin(), first.end(), same_source), first.end());
-  return first;
-}
-
 /// |g(s, s_l) - g(t, t_l)| of every match, summed over the entries of a list block by block.
 class DistortionSum {
  public:
-  DistortionSum(const Shape& source, const Shape& target, const Correspondence& matches)
+  DistortionSum(const MetricSurface& source, const MetricSurface& target,
+                const Correspondence& matches)
       : source_(source), target_(target), matches_(matches), sums_(matches.size(), 0.0) {}
 
   void add(std::span<const Match> list, const Context& context);
@@ -40,8 +34,8 @@ class DistortionSum {
   void add_entry(std::span<const float> source_field, std::span<const float> target_field,
                  std::size_t first, std::size_t last);
 
-  const Shape& source_;
-  const Shape& target_;
+  const MetricSurface& source_;
+  const MetricSurface& target_;
   const Correspondence& matches_;
   std::vector<double> sums_;
 };
@@ -52,8 +46,8 @@ void DistortionSum::add(std::span<const Match> list, const Context& context) {
     sources.push_back(match.source);
     targets.push_back(match.target);
   }
-  const std::vector<float> source_fields = geodesic_fields(source_.graph, sources, context);
-  const std::vector<float> target_fields = geodesic_fields(target_.graph, targets, context);
+  const std::vector<float> source_fields = geodesic_fields(source_.graph(), sources, context);
+  const std::vector<float> target_fields = geodesic_fields(target_.graph(), targets, context);
   const std::size_t ns = source_.num_vertices(), nt = target_.num_vertices();
   const std::size_t blocks = (matches_.size() + kMatchesAtATime - 1) / kMatchesAtATime;
   parallel_for(static_cast<std::ptrdiff_t>(blocks), context, [&](std::ptrdiff_t block) {
@@ -68,8 +62,8 @@ void DistortionSum::add_entry(std::span<const float> source_field,
                               std::span<const float> target_field, std::size_t first,
                               std::size_t last) {
   for (std::size_t m = first; m < last; ++m) {
-    const double source_distance = source_field[matches_[m].source] / source_.max_geodesic;
-    const double target_distance = target_field[matches_[m].target] / target_.max_geodesic;
+    const double source_distance = source_field[matches_[m].source] / source_.max_geodesic();
+    const double target_distance = target_field[matches_[m].target] / target_.max_geodesic();
     sums_[m] += std::abs(source_distance - target_distance);
   }
 }
@@ -86,20 +80,37 @@ std::vector<double> averages(const Correspondence& matches, std::vector<Match> l
   return sums;
 }
 
-}  // namespace
-
-std::vector<Match> evenly_spaced_matches(const Shape& source, const Correspondence& matches,
-                                         int count) {
-  if (std::ssize(matches) <= count) return matches;
-  const std::vector<Match> candidates = first_matches(matches);
-  std::vector<int> vertices;
-  for (const Match& match : candidates) vertices.push_back(match.source);
-  const int extremity = farthest_points(source.graph, vertices, 2).back();
-  std::vector<Match> chosen;
-  for (int place : farthest_points(source.graph, vertices, count, extremity))
-    chosen.push_back(candidates[place]);
-  return chosen;
+/// The distortion of matches between surfaces, in their order.
+std::vector<double> measured(const MetricSurface& source, const MetricSurface& target,
+                             const SurfaceMatches& matches, int list_size, const Context& context) {
+  const std::vector<Match> list = evenly_spaced_matches(source, matches, list_size);
+  DistortionSum sum(source, target, *matches);
+  for (std::size_t first = 0; first < list.size(); first += kFieldsAtATime) {
+    context.report(static_cast<double>(first) / static_cast<double>(list.size()), "distortion");
+    sum.add(
+        std::span(list).subspan(first, std::min<std::size_t>(kFieldsAtATime, list.size() - first)),
+        context);
+  }
+  return averages(*matches, list, sum.sums());
 }
+
+/// `values` of the matches between surfaces for those that the caller gave.
+std::vector<double> of_input(const Correspondence& matches, const Surface& source,
+                             const Surface& target, const SurfaceMatches& on_surfaces,
+                             const std::vector<double>& values) {
+  std::vector<double> result;
+  for (const Match& match : matches) {
+    const Match measured{surface_vertex(source, match.source),
+                         surface_vertex(target, match.target)};
+    const auto place = std::ranges::lower_bound(*on_surfaces, measured);
+    const bool known = place != on_surfaces->end() && *place == measured;
+    result.push_back(known ? values[place - on_surfaces->begin()]
+                           : std::numeric_limits<double>::quiet_NaN());
+  }
+  return result;
+}
+
+}  // namespace
 
 void DistortionOptions::validate() const {
   if (list_size < 1) throw InvalidInput("list_size must be at least 1");
@@ -109,21 +120,21 @@ IsometricDistortion isometric_distortion(const Shape& source, const Shape& targe
                                          const Correspondence& matches,
                                          const DistortionOptions& options, const Context& context) {
   options.validate();
-  check_matches(source, target, matches);
-  if (matches.empty()) return {};
-  const std::vector<Match> list = evenly_spaced_matches(source, matches, options.list_size);
-  DistortionSum sum(source, target, matches);
-  for (std::size_t first = 0; first < list.size(); first += kFieldsAtATime) {
-    context.report(static_cast<double>(first) / static_cast<double>(list.size()), "distortion");
-    sum.add(
-        std::span(list).subspan(first, std::min<std::size_t>(kFieldsAtATime, list.size() - first)),
-        context);
-  }
+  const Surface& from = *source.prepared().surface();
+  const Surface& onto = *target.prepared().surface();
+  const SurfaceMatches between = on_surfaces(from, onto, matches);
   IsometricDistortion result;
-  result.per_match = averages(matches, list, sum.sums());
-  result.maximum = *std::ranges::max_element(result.per_match);
-  result.mean = std::accumulate(result.per_match.begin(), result.per_match.end(), 0.0) /
-                static_cast<double>(matches.size());
+  if (!between->empty()) {
+    const std::vector<double> d_iso =
+        measured(source.prepared().metric(context), target.prepared().metric(context), between,
+                 options.list_size, context);
+    result.maximum = *std::ranges::max_element(d_iso);
+    result.mean =
+        std::accumulate(d_iso.begin(), d_iso.end(), 0.0) / static_cast<double>(d_iso.size());
+    result.per_match = of_input(matches, from, onto, between, d_iso);
+  } else {
+    result.per_match.assign(matches.size(), std::numeric_limits<double>::quiet_NaN());
+  }
   return result;
 }
 

@@ -72,7 +72,7 @@ std::string_view to_string(FitGrade grade) {
   throw InternalError("unknown grade of a fit");
 }
 
-Fit judge_fit(const Surface& source, const Surface& target, const SurfaceMap& source_to_target,
+Fit judge_fit(const Shape& source, const Shape& target, const SurfaceMap& source_to_target,
               const FitOptions& options, const Context& context) {
   FitMeasures measures = measure_fit(source, target, source_to_target, context);
   if (options.mirrored && measures.reversed >= 0) measures.reversed = 1 - measures.reversed;

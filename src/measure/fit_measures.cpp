@@ -6,17 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <utility>
 
-#include "geometry/face_orientation.h"
-#include "isomatch/error.h"
 #include "isomatch/geodesics/geodesics.h"
-#include "isomatch/mesh/mesh.h"
-#include "isomatch/mesh/topology.h"
 #include "parallel.h"
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
 
 namespace isomatch {
 namespace {
@@ -38,45 +36,14 @@ constexpr float kFar = 0.7F;
 /// Nearer than this to an image a point is reached.
 constexpr float kReached = 0.05F;
 
-/// A surface of unit area, and its edges as a graph: distances up to a tenth too long do here.
+/// A surface and its edges as a graph: distances up to a tenth too long do here.
 struct Side {
-  Mesh mesh;
-  GeodesicGraph graph;
-  std::vector<double> vertex_areas;
-  /// Which way is out for each face; none if the surface does not tell.
-  std::optional<std::vector<signed char>> signs;
-  /// Area-weighted and turned outwards, of the vertices.
-  std::vector<Point> normals;
+  const Surface& surface;
+  std::shared_ptr<const GeodesicGraph> graph;
 };
 
-/// Twice the area of a face as a vector along its normal.
-Point area_vector(const Mesh& mesh, int face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
-}
-
-Side make_side(const Surface& surface, const Context& context) {
-  Mesh mesh = surface.mesh;
-  const double scale = 1 / std::sqrt(surface.area);
-  const Point centre = mesh.vertices.front();
-  for (Point& p : mesh.vertices) p = (p - centre) * scale;
-  GeodesicGraph graph(mesh, GeodesicOptions::edges(), context);
-  std::vector<double> areas = vertex_areas(mesh);
-  auto signs = face_orientation(mesh);
-  std::vector<Point> normals(mesh.vertices.size(), Point(0, 0, 0));
-  for (int f = 0; f < mesh.num_faces(); ++f)
-    for (int v : mesh.faces[f]) normals[v] += (signs ? (*signs)[f] : 1) * area_vector(mesh, f);
-  for (Point& normal : normals) normal.normalize();
-  return {std::move(mesh), std::move(graph), std::move(areas), std::move(signs),
-          std::move(normals)};
-}
-
-void check_map(const Surface& source, const Surface& target, const SurfaceMap& map) {
-  if (std::ssize(map) != source.num_vertices())
-    throw InvalidInput("the map's length is not the source's number of vertices");
-  for (const SurfacePoint& point : map)
-    if (point.face < kNoFace || point.face >= target.mesh.num_faces())
-      throw InvalidInput("the map has a face that is not part of the target");
+Side side_of(const Shape& shape, const Context& context) {
+  return {*shape.prepared().surface(), shape.prepared().graph(GeodesicOptions::edges(), context)};
 }
 
 /// Vertices of the source that have an image, and the target's vertex nearest to each.
@@ -84,10 +51,10 @@ struct Images {
   std::vector<int> vertices, targets;
 };
 
-Images images_of(const Side& target, const SurfaceMap& map) {
+Images images_of(const Side& target, const SurfacePoints& map) {
   Images images;
-  const VertexMap nearest = nearest_vertices(target.mesh, map);
-  for (int v = 0; v < static_cast<int>(map.size()); ++v) {
+  const VertexMap nearest = nearest_vertices(target.surface.mesh, *map);
+  for (int v = 0; v < static_cast<int>(map->size()); ++v) {
     if (nearest[v] == kUnmatched) continue;
     images.vertices.push_back(v);
     images.targets.push_back(nearest[v]);
@@ -103,9 +70,9 @@ std::vector<float> distances_between(const Side& side, const std::vector<int>& s
     std::vector<float> field;
   };
   const auto make = [&] {
-    return Work{
-        GeodesicSearch(side.graph),
-        std::vector<float>(side.mesh.num_vertices(), std::numeric_limits<float>::infinity())};
+    return Work{GeodesicSearch(*side.graph),
+                std::vector<float>(side.surface.mesh.num_vertices(),
+                                   std::numeric_limits<float>::infinity())};
   };
   std::vector<float> rows(samples.size() * samples.size());
   parallel_for(std::ssize(samples), context, make, [&](Work& work, std::ptrdiff_t i) {
@@ -139,7 +106,7 @@ std::vector<double> stretch_around(const std::vector<float>& before,
 /// Those of the images that are evenly spread over the source.
 Images spread(const Images& images, const Side& source, const Context& context) {
   Images samples;
-  for (int k : farthest_points(source.graph, images.vertices, kSamples, 0, context)) {
+  for (int k : farthest_points(*source.graph, images.vertices, kSamples, 0, context)) {
     samples.vertices.push_back(images.vertices[k]);
     samples.targets.push_back(images.targets[k]);
   }
@@ -178,18 +145,19 @@ double displacement(const Side& source, const Side& target, Images samples,
 std::vector<double> heights(const Side& side, const std::vector<int>& vertices,
                             const Context& context) {
   std::vector<double> result(vertices.size());
-  const auto make = [&] { return GeodesicSearch(side.graph); };
+  const auto make = [&] { return GeodesicSearch(*side.graph); };
   parallel_for(std::ssize(vertices), context, make, [&](GeodesicSearch& search, std::ptrdiff_t i) {
     Point mean(0, 0, 0), normal(0, 0, 0);
     double all = 0;
     for (const auto& [vertex, distance] : search.ball(vertices[i], 2 * kReliefWidth)) {
       const float widths = distance / kReliefWidth;
-      const double weight = side.vertex_areas[vertex] * std::exp(-widths * widths / 2);
-      mean += weight * side.mesh.vertices[vertex];
-      normal += weight * side.normals[vertex];
+      const double weight = side.surface.vertex_areas[vertex] * std::exp(-widths * widths / 2);
+      mean += weight * side.surface.mesh.vertices[vertex];
+      normal += weight * side.surface.normals[vertex];
       all += weight;
     }
-    if (all > 0) result[i] = normal.normalized().dot(side.mesh.vertices[vertices[i]] - mean / all);
+    if (all > 0)
+      result[i] = normal.normalized().dot(side.surface.mesh.vertices[vertices[i]] - mean / all);
   });
   return result;
 }
@@ -219,10 +187,10 @@ double relief_agreement(const Side& source, const Side& target, const Images& sa
 /// Share of the area that is farther from all of `vertices` than `limit`.
 double share_beyond(const Side& side, const std::vector<int>& vertices, float limit) {
   const std::vector<float> distances =
-      GeodesicSearch(side.graph).nearest_source(vertices).distances;
+      GeodesicSearch(*side.graph).nearest_source(vertices).distances;
   double beyond = 0;
   for (std::size_t v = 0; v < distances.size(); ++v)
-    if (distances[v] > limit) beyond += side.vertex_areas[v];
+    if (distances[v] > limit) beyond += side.surface.vertex_areas[v];
   return beyond;
 }
 
@@ -236,10 +204,11 @@ double sine(const Point& normal, const Point& a, const Point& b) {
 double turning(const Side& source, const Side& target, const Images& samples, std::size_t at,
                const std::vector<int>& neighbours) {
   const auto towards = [&](const Side& side, const std::vector<int>& vertices, int neighbour) {
-    return Point(side.mesh.vertices[vertices[neighbour]] - side.mesh.vertices[vertices[at]]);
+    return Point(side.surface.mesh.vertices[vertices[neighbour]] -
+                 side.surface.mesh.vertices[vertices[at]]);
   };
-  const Point& before = source.normals[samples.vertices[at]];
-  const Point& after = target.normals[samples.targets[at]];
+  const Point& before = source.surface.normals[samples.vertices[at]];
+  const Point& after = target.surface.normals[samples.targets[at]];
   double sum = 0;
   for (std::size_t k = 1; k < neighbours.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j) {
@@ -257,7 +226,7 @@ double turning(const Side& source, const Side& target, const Images& samples, st
 /// Share of the samples around which the map turns the surface over.
 double reversed_share(const Side& source, const Side& target, const Images& samples,
                       const std::vector<float>& near) {
-  if (!source.signs || !target.signs) return -1;
+  if (!source.surface.oriented || !target.surface.oriented) return -1;
   const std::size_t count = samples.vertices.size();
   int reversed = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -272,11 +241,10 @@ double reversed_share(const Side& source, const Side& target, const Images& samp
 
 }  // namespace
 
-FitMeasures measure_fit(const Surface& source, const Surface& target, const SurfaceMap& map,
+FitMeasures measure_fit(const Shape& source, const Shape& target, const SurfaceMap& map,
                         const Context& context) {
-  check_map(source, target, map);
-  const Side from = make_side(source, context), onto = make_side(target, context);
-  const Images images = images_of(onto, map);
+  const Side from = side_of(source, context), onto = side_of(target, context);
+  const Images images = images_of(onto, on_surfaces(from.surface, onto.surface, map));
   if (images.vertices.empty()) return {.unreached = 1, .unmatched = 1, .reversed = -1};
   FitMeasures measures;
   const Images samples = spread(images, from, context);

@@ -7,7 +7,7 @@
 namespace isomatch {
 
 /// Throws `InvalidInput` if the map does not fit the surfaces. O(N log N).
-FitMeasures measure_fit(const Surface& source, const Surface& target, const SurfaceMap& map,
+FitMeasures measure_fit(const Shape& source, const Shape& target, const SurfaceMap& map,
                         const Context& context);
 
 }  // namespace isomatch

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/face_orientation.h"
 #include "isomatch/error.h"
 #include "isomatch/measure/metrics.h"
-#include "isomatch/mesh/topology.h"
-#include "measure/checks.h"
+#include "measure/spread_matches.h"
 #include "parallel.h"
+#include "shape/prepared_shape.h"
 
 namespace isomatch {
 namespace {
@@ -25,9 +24,8 @@ constexpr double kMinShare = 0.6;
 /// At each landmark the directions towards the others that are neither too near nor too far.
 class DirectionTable {
  public:
-  DirectionTable(const Shape& shape, const std::vector<signed char>& signs,
-                 const std::vector<int>& landmarks, double min_distance, double max_distance,
-                 const Context& context);
+  DirectionTable(const MetricSurface& shape, const std::vector<int>& landmarks, double min_distance,
+                 double max_distance, const Context& context);
 
   bool known(int at, int towards) const { return !direction(at, towards).isZero(); }
   /// Sine of the angle from the direction towards `a` to that towards `b`, counter-clockwise seen
@@ -40,14 +38,12 @@ class DirectionTable {
   const Point& direction(int at, int towards) const {
     return directions_[static_cast<std::size_t>(at) * normals_.size() + towards];
   }
-  Point normal(int vertex, const std::vector<signed char>& signs) const;
   Point gradient(int vertex, std::span<const float> field) const;
   void look_towards(int landmark, std::span<const float> field);
 
-  const Shape& shape_;
+  const MetricSurface& shape_;
   const std::vector<int>& landmarks_;
   double min_distance_, max_distance_;
-  IndexLists faces_;
   std::vector<Point> normals_;
   std::vector<Point> directions_;
 };
@@ -70,22 +66,20 @@ Point face_gradient(const Mesh& mesh, const Face& face, std::span<const float> f
   return sum;
 }
 
-DirectionTable::DirectionTable(const Shape& shape, const std::vector<signed char>& signs,
-                               const std::vector<int>& landmarks, double min_distance,
-                               double max_distance, const Context& context)
+DirectionTable::DirectionTable(const MetricSurface& shape, const std::vector<int>& landmarks,
+                               double min_distance, double max_distance, const Context& context)
     : shape_(shape),
       landmarks_(landmarks),
       min_distance_(min_distance),
       max_distance_(max_distance),
-      faces_(vertex_faces(shape.surface.mesh)),
       directions_(landmarks.size() * landmarks.size(), Point(0, 0, 0)) {
-  for (int v : landmarks) normals_.push_back(normal(v, signs));
+  for (int v : landmarks) normals_.push_back(shape.surface().normals[v]);
   struct Work {
     GeodesicSearch search;
     std::vector<float> field;
   };
   const auto make = [&] {
-    return Work{GeodesicSearch(shape.graph), std::vector<float>(shape.num_vertices())};
+    return Work{GeodesicSearch(shape.graph()), std::vector<float>(shape.num_vertices())};
   };
   parallel_for(std::ssize(landmarks), context, make, [&](Work& work, std::ptrdiff_t j) {
     work.search.field(landmarks[j], work.field);
@@ -93,17 +87,10 @@ DirectionTable::DirectionTable(const Shape& shape, const std::vector<signed char
   });
 }
 
-Point DirectionTable::normal(int vertex, const std::vector<signed char>& signs) const {
-  const Mesh& mesh = shape_.surface.mesh;
-  Point sum(0, 0, 0);
-  for (int f : faces_[vertex]) sum += signs[f] * area_vector(mesh, mesh.faces[f]);
-  return sum.normalized();
-}
-
 Point DirectionTable::gradient(int vertex, std::span<const float> field) const {
-  const Mesh& mesh = shape_.surface.mesh;
+  const Mesh& mesh = shape_.mesh();
   Point sum(0, 0, 0);
-  for (int f : faces_[vertex]) sum += face_gradient(mesh, mesh.faces[f], field);
+  for (int f : shape_.surface().faces[vertex]) sum += face_gradient(mesh, mesh.faces[f], field);
   return sum;
 }
 
@@ -193,23 +180,21 @@ MapOrientation map_orientation(const Shape& source, const Shape& target,
                                const Correspondence& matches, const OrientationOptions& options,
                                const Context& context) {
   options.validate();
-  check_matches(source, target, matches);
-  const auto source_signs = face_orientation(source.surface.mesh);
-  const auto target_signs = face_orientation(target.surface.mesh);
-  if (!source_signs || !target_signs) return {.verdict = OrientationVerdict::kNotOriented};
+  const SurfaceMatches between =
+      on_surfaces(*source.prepared().surface(), *target.prepared().surface(), matches);
+  const MetricSurface from = source.prepared().metric(context);
+  const MetricSurface onto = target.prepared().metric(context);
+  if (!from.surface().oriented || !onto.surface().oriented)
+    return {.verdict = OrientationVerdict::kNotOriented};
   std::vector<int> sources, targets;
-  for (const Match& match : evenly_spaced_matches(source, matches, options.landmarks)) {
+  for (const Match& match : evenly_spaced_matches(from, between, options.landmarks)) {
     sources.push_back(match.source);
     targets.push_back(match.target);
   }
-  const double source_scale = std::sqrt(source.surface.area);
-  const double target_scale = std::sqrt(target.surface.area);
-  const DirectionTable seen_on_source(source, *source_signs, sources,
-                                      options.min_distance * source_scale,
-                                      options.max_distance * source_scale, context);
-  const DirectionTable seen_on_target(target, *target_signs, targets,
-                                      options.min_distance * target_scale / kMaxStretch,
-                                      options.max_distance * target_scale * kMaxStretch, context);
+  const DirectionTable seen_on_source(from, sources, options.min_distance, options.max_distance,
+                                      context);
+  const DirectionTable seen_on_target(onto, targets, options.min_distance / kMaxStretch,
+                                      options.max_distance * kMaxStretch, context);
   return count_votes(seen_on_source, seen_on_target, static_cast<int>(sources.size()));
 }
 

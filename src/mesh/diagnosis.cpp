@@ -12,9 +12,8 @@
 #include <string_view>
 #include <utility>
 
-#include "isomatch/mesh/surface.h"
 #include "isomatch/mesh/topology.h"
-#include "shape/largest_surface.h"
+#include "shape/inspection.h"
 #include "shape/sound_mesh.h"
 #include "shape/stray.h"
 
@@ -71,7 +70,7 @@ int count_long_edges(const Mesh& mesh, double mean, double area) {
   return count;
 }
 
-void inspect_surface(const Surface& surface, MeshDiagnosis& diagnosis) {
+void inspect_surface(const ExtractedSurface& surface, MeshDiagnosis& diagnosis) {
   const bool is_given =
       surface.joined_edges == 0 && surface.mesh.num_faces() == diagnosis.given.faces;
   diagnosis.surface = is_given ? diagnosis.given : connectivity(surface.mesh);

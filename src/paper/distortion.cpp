@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/methods/distortion.h"
+#include "paper/distortion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "isomatch/error.h"
+#include "isomatch/methods/paper.h"
 #include "parallel.h"
 
 namespace isomatch {
@@ -21,7 +22,7 @@ std::vector<std::span<const float>> FieldStore::fields(std::span<const int> sour
     entry->second.last_use = uses_;
     if (is_new) missing.emplace_back(source, &entry->second.field);
   }
-  const float scale = static_cast<float>(1 / shape_->max_geodesic);
+  const float scale = static_cast<float>(1 / shape_->max_geodesic());
   const auto measure = [&](GeodesicSearch& search, std::ptrdiff_t i) {
     std::vector<float>& field = *missing[i].second;
     field.resize(shape_->num_vertices());
@@ -30,7 +31,7 @@ std::vector<std::span<const float>> FieldStore::fields(std::span<const int> sour
   };
   try {
     parallel_for(
-        std::ssize(missing), context, [&] { return GeodesicSearch(shape_->graph); }, measure);
+        std::ssize(missing), context, [&] { return GeodesicSearch(shape_->graph()); }, measure);
   } catch (...) {
     for (const auto& [source, field] : missing) entries_.erase(source);
     throw;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/methods/merging.h"
+#include "paper/merging.h"
 
 #include <algorithm>
 #include <atomic>

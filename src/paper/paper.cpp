@@ -9,6 +9,9 @@
 
 #include "isomatch/error.h"
 #include "paper/patch_pairs.h"
+#include "paper/saliency.h"
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
 
 namespace isomatch {
 
@@ -24,7 +27,7 @@ struct SamplingOrders {
   std::vector<int> coarsest, finer;
 };
 
-SamplingOrders sampling_orders(const Shape& shape, const SaliencyOptions& options,
+SamplingOrders sampling_orders(const MetricSurface& shape, const SaliencyOptions& options,
                                const Context& context) {
   return {descending_order(integral_geodesic_distance(shape, options, context)),
           descending_order(gaussian_curvature(shape, options))};
@@ -34,7 +37,8 @@ float radius_of_area(double area, const RadiusOptions& options) {
   return static_cast<float>(options.radius_factor * std::sqrt(area / std::numbers::pi));
 }
 
-float next_radius(const Shape& shape, const BaseSampling& previous, const RadiusOptions& options) {
+float next_radius(const MetricSurface& shape, const BaseSampling& previous,
+                  const RadiusOptions& options) {
   const double share = static_cast<double>(previous.bases.size()) / shape.num_vertices();
   if (share >= options.full_share) return 0;
   return std::min(radius_of_area(previous.largest_patch_area, options),
@@ -42,12 +46,12 @@ float next_radius(const Shape& shape, const BaseSampling& previous, const Radius
 }
 
 /// S(0) and T(0): the smallest radii of the rule's ratio that give few enough bases on both.
-void sample_coarsest(const Shape& source, const Shape& target, const SamplingOrders& source_orders,
-                     const SamplingOrders& target_orders, const RadiusOptions& options,
-                     const Context& context, SampledLevel& level) {
+void sample_coarsest(const MetricSurface& source, const MetricSurface& target,
+                     const SamplingOrders& source_orders, const SamplingOrders& target_orders,
+                     const RadiusOptions& options, const Context& context, SampledLevel& level) {
   constexpr float kGrowth = 1.02f;
-  float source_radius = radius_of_area(source.surface.area, options);
-  float target_radius = radius_of_area(target.surface.area, options);
+  float source_radius = radius_of_area(1, options);
+  float target_radius = radius_of_area(1, options);
   for (;; source_radius *= kGrowth, target_radius *= kGrowth) {
     context.check_stop();
     level.source.sampling =
@@ -59,7 +63,7 @@ void sample_coarsest(const Shape& source, const Shape& target, const SamplingOrd
   }
 }
 
-ShapeLevel finer_shape_level(const Shape& shape, const SamplingOrders& orders,
+ShapeLevel finer_shape_level(const MetricSurface& shape, const SamplingOrders& orders,
                              const ShapeLevel& previous, const RadiusOptions& options,
                              const Context& context) {
   ShapeLevel level;
@@ -70,7 +74,7 @@ ShapeLevel finer_shape_level(const Shape& shape, const SamplingOrders& orders,
   return level;
 }
 
-BaseNeighbourhoods all_distances(const Shape& shape, const ShapeLevel& level,
+BaseNeighbourhoods all_distances(const MetricSurface& shape, const ShapeLevel& level,
                                  const Context& context) {
   return {shape, level.sampling.bases, std::numeric_limits<float>::max(), context};
 }
@@ -94,7 +98,7 @@ struct Hypothesis {
 /// Samples and matches level by level.
 class Descent {
  public:
-  Descent(const Shape& source, const Shape& target, const PaperOptions& options,
+  Descent(const MetricSurface& source, const MetricSurface& target, const PaperOptions& options,
           const Context& context, std::vector<StageTime>& times)
       : source_(source),
         target_(target),
@@ -175,7 +179,7 @@ class Descent {
 
   /// Once there are enough they stay, so that their distance fields serve all further levels.
   std::vector<int> choose_landmarks(const std::vector<int>& bases) const {
-    return farthest_points(source_.graph, bases, options_.list_size, 0, context_);
+    return farthest_points(source_.graph(), bases, options_.list_size, 0, context_);
   }
 
   std::vector<Correspondence> coarsest_matchings(const SampledLevel& level) {
@@ -202,8 +206,8 @@ class Descent {
     return {std::move(patches), std::move(merge)};
   }
 
-  const Shape& source_;
-  const Shape& target_;
+  const MetricSurface& source_;
+  const MetricSurface& target_;
   const PaperOptions& options_;
   const Context& context_;
   std::vector<StageTime>& times_;
@@ -215,6 +219,17 @@ class Descent {
 void keep_least_distorted(std::vector<Hypothesis>& hypotheses) {
   std::swap(hypotheses.front(), *std::ranges::min_element(hypotheses, {}, &Hypothesis::distortion));
   hypotheses.resize(1);
+}
+
+struct BothSurfaces {
+  MetricSurface source, target;
+};
+
+BothSurfaces metric_surfaces(const Shape& source, const Shape& target, const Context& context,
+                             std::vector<StageTime>& times) {
+  context.report(0, "geodesic graph");
+  const StageTimer timer(times, "geodesic graph");
+  return {source.prepared().metric(context), target.prepared().metric(context)};
 }
 
 PaperLevel result_of(const SampledLevel& sampled, MatchedLevel matched, double source_unit,
@@ -232,18 +247,22 @@ PaperLevel result_of(const SampledLevel& sampled, MatchedLevel matched, double s
   return level;
 }
 
-PaperResult result_of(const Shape& source, const Shape& target,
+PaperResult result_of(const MetricSurface& source, const MetricSurface& target,
                       const std::vector<SampledLevel>& sampled, Hypothesis hypothesis) {
+  const Surface& from = source.surface();
+  const Surface& onto = target.surface();
+  const std::vector<int>& sources = sampled.back().source.sampling.bases;
   PaperResult result;
-  result.source_bases = sampled.back().source.sampling.bases;
-  result.target_bases = sampled.back().target.sampling.bases;
-  result.source_to_target.assign(source.num_vertices(), kUnmatched);
+  result.source_bases = to_input(from, SurfaceVertices(sources));
+  result.target_bases = to_input(onto, SurfaceVertices(sampled.back().target.sampling.bases));
+  VertexMap image_of(source.num_vertices(), kUnmatched);
   const std::vector<int>& image = hypothesis.levels.back().merge.merged.target_of_source;
   for (std::size_t s = 0; s < image.size(); ++s)
-    result.source_to_target[result.source_bases[s]] = result.target_bases[image[s]];
+    image_of[sources[s]] = result.target_bases[image[s]];
+  result.source_to_target = at_input(from, image_of, kUnmatched);
   for (std::size_t k = 0; k < sampled.size(); ++k)
     result.levels.push_back(
-        result_of(sampled[k], std::move(hypothesis.levels[k]), source.unit, target.unit));
+        result_of(sampled[k], std::move(hypothesis.levels[k]), from.scale, onto.scale));
   return result;
 }
 
@@ -274,18 +293,22 @@ JointSampling sample_jointly(const Shape& source, const Shape& target, int level
   options.validate();
   if (level < 0) throw InvalidInput("a level must not be negative");
   std::vector<StageTime> times;
-  Descent descent(source, target, options, context, times);
+  const MetricSurface from = source.prepared().metric(context);
+  const MetricSurface onto = target.prepared().metric(context);
+  Descent descent(from, onto, options, context, times);
   descent.sample_level();
   for (int k = 1; k <= level && !descent.complete(); ++k) descent.sample_level();
   const SampledLevel& last = descent.sampled().back();
-  return {last.source.sampling.bases, last.target.sampling.bases};
+  return {to_input(from.surface(), SurfaceVertices(last.source.sampling.bases)),
+          to_input(onto.surface(), SurfaceVertices(last.target.sampling.bases))};
 }
 
 PaperResult match_paper(const Shape& source, const Shape& target, const PaperOptions& options,
                         const Context& context) {
   options.validate();
   std::vector<StageTime> times;
-  Descent descent(source, target, options, context, times);
+  const auto [from, onto] = metric_surfaces(source, target, context, times);
+  Descent descent(from, onto, options, context, times);
   descent.sample_level();
   std::vector<Hypothesis> hypotheses = descent.match_coarsest();
   for (int k = 1; k <= options.max_levels && !descent.complete(); ++k) {
@@ -295,7 +318,7 @@ PaperResult match_paper(const Shape& source, const Shape& target, const PaperOpt
     if (k == options.candidate_levels) keep_least_distorted(hypotheses);
   }
   keep_least_distorted(hypotheses);
-  PaperResult result = result_of(source, target, descent.sampled(), std::move(hypotheses.front()));
+  PaperResult result = result_of(from, onto, descent.sampled(), std::move(hypotheses.front()));
   result.complete = descent.complete();
   result.times = std::move(times);
   return result;

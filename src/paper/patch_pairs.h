@@ -6,9 +6,9 @@
 
 #include "isomatch/context.h"
 #include "isomatch/mesh/shape.h"
-#include "isomatch/methods/distortion.h"
-#include "isomatch/methods/merging.h"
-#include "isomatch/methods/patch_matching.h"
+#include "paper/distortion.h"
+#include "paper/merging.h"
+#include "paper/patch_matching.h"
 
 namespace isomatch::paper {
 
@@ -28,8 +28,8 @@ struct MatchedLevel {
 
 /// Distances that are over the largest geodesic of their shape.
 struct NormalizedLevel {
-  NormalizedLevel(const ShapeLevel& shape_level, const Shape& shape)
-      : level(shape_level), scale(static_cast<float>(1 / shape.max_geodesic)) {}
+  NormalizedLevel(const ShapeLevel& shape_level, const MetricSurface& shape)
+      : level(shape_level), scale(static_cast<float>(1 / shape.max_geodesic())) {}
 
   float distance(int a, int b) const { return scale * level.neighbourhoods.distance(a, b); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/methods/saliency.h"
+#include "paper/saliency.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -13,6 +13,8 @@
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
 #include "parallel.h"
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
 
 namespace isomatch {
 namespace {
@@ -62,21 +64,23 @@ Eigen::VectorXd diffuse(const Mesh& mesh, const Eigen::VectorXd& areas, Eigen::V
 
 /// A vertex that does not depend on how they are numbered, which follows from the position of the
 /// shape in space: the farthest from that of largest area.
-int extremity(const Shape& shape) {
-  const auto largest = std::ranges::max_element(shape.vertex_areas);
+int extremity(const MetricSurface& shape) {
+  const auto largest = std::ranges::max_element(shape.vertex_areas());
   std::vector<float> distances(shape.num_vertices());
-  GeodesicSearch(shape.graph)
-      .field(static_cast<int>(largest - shape.vertex_areas.begin()), distances);
+  GeodesicSearch(shape.graph())
+      .field(static_cast<int>(largest - shape.vertex_areas().begin()), distances);
   return static_cast<int>(std::ranges::max_element(distances) - distances.begin());
 }
 
-std::vector<double> partition_areas(const Shape& shape, std::span<const int> sources) {
-  const SourcePartition partition = GeodesicSearch(shape.graph).nearest_source(sources);
+std::vector<double> partition_areas(const MetricSurface& shape, std::span<const int> sources) {
+  const SourcePartition partition = GeodesicSearch(shape.graph()).nearest_source(sources);
   std::vector<double> areas(sources.size(), 0.0);
   for (int v = 0; v < shape.num_vertices(); ++v)
-    areas[partition.nearest[v]] += shape.vertex_areas[v];
+    areas[partition.nearest[v]] += shape.vertex_areas()[v];
   return areas;
 }
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -86,17 +90,18 @@ void SaliencyOptions::validate() const {
     throw InvalidInput("curvature_scale must be in [0, 1]");
 }
 
-std::vector<double> integral_geodesic_distance(const Shape& shape, const SaliencyOptions& options,
+std::vector<double> integral_geodesic_distance(const MetricSurface& shape,
+                                               const SaliencyOptions& options,
                                                const Context& context) {
   options.validate();
   std::vector<int> vertices(shape.num_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
   const std::vector<int> points =
-      farthest_points(shape.graph, vertices, options.integral_points, extremity(shape), context);
+      farthest_points(shape.graph(), vertices, options.integral_points, extremity(shape), context);
   const std::vector<double> weights = partition_areas(shape, points);
-  const std::vector<float> fields = geodesic_fields(shape.graph, points, context);
+  const std::vector<float> fields = geodesic_fields(shape.graph(), points, context);
   const int n = shape.num_vertices();
-  const double scale = 1 / (shape.surface.area * shape.max_geodesic);
+  const double scale = 1 / shape.max_geodesic();
   std::vector<double> integral(n);
   parallel_for(n, context, [&](std::ptrdiff_t v) {
     double sum = 0;
@@ -106,23 +111,35 @@ std::vector<double> integral_geodesic_distance(const Shape& shape, const Salienc
   return integral;
 }
 
-std::vector<double> gaussian_curvature(const Shape& shape, const SaliencyOptions& options) {
+std::vector<double> gaussian_curvature(const MetricSurface& shape, const SaliencyOptions& options) {
   options.validate();
-  const std::vector<double> defects = angle_defects(shape.surface.mesh);
+  const std::vector<double> defects = angle_defects(shape.mesh());
   const int n = shape.num_vertices();
-  Eigen::VectorXd areas = Eigen::Map<const Eigen::VectorXd>(shape.vertex_areas.data(), n);
+  Eigen::VectorXd areas = Eigen::Map<const Eigen::VectorXd>(shape.vertex_areas().data(), n);
   Eigen::VectorXd curvature = Eigen::Map<const Eigen::VectorXd>(defects.data(), n);
   curvature.array() /= areas.array();
-  const double variance = std::pow(options.curvature_scale, 2) * shape.surface.area;
-  curvature = diffuse(shape.surface.mesh, areas, curvature, variance / 2) * shape.surface.area;
+  const double variance = std::pow(options.curvature_scale, 2);
+  curvature = diffuse(shape.mesh(), areas, curvature, variance / 2);
   return {curvature.begin(), curvature.end()};
 }
 
-std::vector<int> descending_order(const std::vector<double>& saliency) {
-  std::vector<int> order(saliency.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return saliency[a] > saliency[b]; });
+std::vector<double> integral_geodesic_distance(const Shape& shape, const SaliencyOptions& options,
+                                               const Context& context) {
+  const MetricSurface metric = shape.prepared().metric(context);
+  return at_input(metric.surface(), integral_geodesic_distance(metric, options, context), kNoValue);
+}
+
+std::vector<double> gaussian_curvature(const Shape& shape, const SaliencyOptions& options,
+                                       const Context& context) {
+  const MetricSurface metric = shape.prepared().metric(context);
+  return at_input(metric.surface(), gaussian_curvature(metric, options), kNoValue);
+}
+
+std::vector<int> descending_order(std::span<const double> saliency) {
+  std::vector<int> order;
+  for (std::size_t v = 0; v < saliency.size(); ++v)
+    if (!std::isnan(saliency[v])) order.push_back(static_cast<int>(v));
+  std::ranges::stable_sort(order, std::greater(), [&](int v) { return saliency[v]; });
   return order;
 }
 

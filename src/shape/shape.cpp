@@ -2,32 +2,39 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/mesh/shape.h"
 
-#include <cmath>
 #include <utility>
 
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
+
 namespace isomatch {
-namespace {
 
-/// Divides lengths by `unit`, areas by its square.
-void rescale(Surface& surface, double unit) {
-  for (Point& p : surface.mesh.vertices) p /= unit;
-  surface.area /= unit * unit;
-  surface.total_area /= unit * unit;
+Shape::Shape(Mesh mesh, const GeodesicOptions& geodesics)
+    : prepared_(std::make_shared<const PreparedShape>(std::move(mesh), geodesics)) {}
+
+const Mesh& Shape::mesh() const { return prepared_->mesh(); }
+
+const MeshDiagnosis& Shape::diagnosis() const { return prepared_->diagnosis(); }
+
+double Shape::area() const {
+  const double scale = prepared_->surface()->scale;
+  return scale * scale;
 }
 
-}  // namespace
+int Shape::num_surface_vertices() const { return prepared_->surface()->num_vertices(); }
 
-Shape prepare_shape(const Mesh& input, const GeodesicOptions& options, const Context& context) {
-  return prepare_shape(extract_surface(input), options, context);
+bool Shape::on_surface(int vertex) const {
+  return surface_vertex(*prepared_->surface(), vertex) != kNoVertex;
 }
 
-Shape prepare_shape(Surface surface, const GeodesicOptions& options, const Context& context) {
-  const double unit = std::exp2(std::round(std::log2(surface.area) / 2));
-  rescale(surface, unit);
-  GeodesicGraph graph(surface.mesh, options, context);
-  std::vector<double> areas = vertex_areas(surface.mesh);
-  const double max_geodesic = geodesic_diameter(graph, context);
-  return {std::move(surface), unit, std::move(graph), std::move(areas), max_geodesic};
+std::span<const int> Shape::copies(int vertex) const {
+  const Surface& surface = *prepared_->surface();
+  const int place = surface_vertex(surface, vertex);
+  return place == kNoVertex ? std::span<const int>() : surface.input_vertices[place];
+}
+
+double Shape::max_geodesic(const Context& context) const {
+  return prepared_->surface()->scale * prepared_->metric(context).max_geodesic();
 }
 
 }  // namespace isomatch

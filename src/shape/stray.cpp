@@ -10,7 +10,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/point_tree.h"
-#include "isomatch/mesh/surface.h"
+#include "isomatch/mesh/diagnosis.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {

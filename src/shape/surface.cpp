@@ -1,116 +1,78 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/mesh/surface.h"
+#include "shape/surface.h"
 
-#include <algorithm>
+#include <cmath>
 #include <numeric>
-#include <span>
 #include <utility>
 
-#include "geometry/runs.h"
-#include "isomatch/error.h"
-#include "isomatch/mesh/topology.h"
-#include "shape/largest_surface.h"
-#include "shape/seams.h"
-#include "shape/sound_mesh.h"
+#include "geometry/face_orientation.h"
 
 namespace isomatch {
 namespace {
 
-void apply(const Seams& seams, Mesh& mesh) {
-  for (Face& face : mesh.faces) {
-    for (int& v : face) v = seams.joined_vertex[v];
+void scale_to_unit_area(double area, Surface& surface) {
+  Mesh& mesh = surface.mesh;
+  surface.scale = std::sqrt(area);
+  surface.centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
+                   mesh.num_vertices();
+  for (Point& p : mesh.vertices) p = (p - surface.centre) / surface.scale;
+}
+
+void turn(Face& face) { std::swap(face[1], face[2]); }
+
+void turn_outwards(Surface& surface) {
+  Mesh& mesh = surface.mesh;
+  const auto signs = face_orientation(mesh);
+  surface.oriented = signs.has_value();
+  surface.turned.assign(mesh.faces.size(), false);
+  for (int f = 0; surface.oriented && f < mesh.num_faces(); ++f) {
+    surface.turned[f] = (*signs)[f] < 0;
+    if (surface.turned[f]) turn(mesh.faces[f]);
   }
 }
 
-/// The faces of the component of largest area, ascending; fills in the figures about components.
-std::vector<int> largest_component(const SoundMesh& sound, Surface& surface) {
-  const std::vector<int> label = vertex_components(sound.mesh);
-  std::vector<double> areas(sound.mesh.vertices.size(), 0.0);
-  const auto component = [&](int face) { return label[sound.mesh.faces[face][0]]; };
-  for (int f = 0; f < sound.mesh.num_faces(); ++f) areas[component(f)] += sound.face_areas[f];
-  const auto largest = std::ranges::max_element(areas);
-  surface.components =
-      static_cast<int>(std::ranges::count_if(areas, [](double a) { return a > 0; }));
-  surface.area = *largest;
-  surface.total_area = std::accumulate(areas.begin(), areas.end(), 0.0);
-
-  std::vector<int> faces;
-  for (int f = 0; f < sound.mesh.num_faces(); ++f) {
-    if (component(f) == largest - areas.begin()) faces.push_back(f);
-  }
-  return faces;
-}
-
-/// Moves `faces` and their vertices into `surface`, closing the gaps. Returns the surface vertex of
-/// each vertex of `sound`.
-std::vector<int> take(const SoundMesh& sound, std::span<const int> faces, Surface& surface) {
-  std::vector<int> number(sound.mesh.vertices.size(), kNoVertex);
-  for (int f : faces) {
-    for (int v : sound.mesh.faces[f]) number[v] = 0;
-  }
-  for (int v = 0; v < sound.mesh.num_vertices(); ++v) {
-    if (number[v] == kNoVertex) continue;
-    number[v] = surface.mesh.num_vertices();
-    surface.mesh.vertices.push_back(sound.mesh.vertices[v]);
-    surface.input_vertex.push_back(sound.input_vertex[v]);
-  }
-  for (int f : faces) {
-    const auto& [a, b, c] = sound.mesh.faces[f];
-    surface.mesh.faces.push_back({number[a], number[b], number[c]});
-    surface.input_face.push_back(sound.input_face[f]);
-  }
-  return number;
-}
-
-std::vector<char> vertices_with_faces(const Mesh& mesh) {
-  std::vector<char> has_face(mesh.vertices.size(), 0);
-  for (const Face& face : mesh.faces) {
-    for (int v : face) has_face[v] = 1;
-  }
-  return has_face;
-}
-
-/// Gives vertices without a face, such as the spare copies that modelling programs leave at the
-/// poles of a sphere, the number of the first coinciding vertex that has one.
-void adopt_loose_vertices(const Mesh& mesh, std::span<const char> has_face,
-                          std::vector<int>& number) {
-  const auto coincide = [&](int a, int b) { return mesh.vertices[a] == mesh.vertices[b]; };
-  for_each_run(mesh.num_vertices(), coincide, [&](int first, int last) {
-    const auto run = std::span(number).subspan(first, last - first);
-    const auto taken = std::ranges::find_if(run, [](int n) { return n != kNoVertex; });
-    if (taken == run.end()) return;
-    for (int v = first; v < last; ++v) {
-      if (!has_face[v]) number[v] = *taken;
-    }
-  });
+/// The inverse of `surface_vertex`.
+IndexLists input_vertices(const std::vector<int>& surface_vertex, int count) {
+  std::vector<int> offsets(count + 1, 0);
+  for (int v : surface_vertex)
+    if (v != kNoVertex) ++offsets[v + 1];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<int> values(offsets.back()), next = offsets;
+  for (std::size_t i = 0; i < surface_vertex.size(); ++i)
+    if (surface_vertex[i] != kNoVertex) values[next[surface_vertex[i]]++] = static_cast<int>(i);
+  return {std::move(offsets), std::move(values)};
 }
 
 }  // namespace
 
-Surface largest_surface(SoundMesh sound) {
-  const std::vector<char> has_face = vertices_with_faces(sound.mesh);
-  const Seams seams = join_seams(sound.mesh);
-  apply(seams, sound.mesh);
-
+Surface unit_surface(ExtractedSurface extracted) {
   Surface surface;
-  surface.degenerate_faces = sound.degenerate_faces;
-  surface.duplicate_faces = sound.duplicate_faces;
-  surface.joined_edges = seams.joined_edges;
-  std::vector<int> number = take(sound, largest_component(sound, surface), surface);
-  for (std::size_t v = 0; v < number.size(); ++v) number[v] = number[seams.joined_vertex[v]];
-  adopt_loose_vertices(sound.mesh, has_face, number);
-  surface.surface_vertex.resize(number.size());
-  for (std::size_t v = 0; v < number.size(); ++v)
-    surface.surface_vertex[sound.input_vertex[v]] = number[v];
+  surface.mesh = std::move(extracted.mesh);
+  surface.faces = vertex_faces(surface.mesh);
+  scale_to_unit_area(extracted.area, surface);
+  turn_outwards(surface);
+  surface.normals = unit_normals(surface.mesh);
+  surface.vertex_areas = vertex_areas(surface.mesh);
+  surface.input_vertex = std::move(extracted.input_vertex);
+  surface.surface_vertex = std::move(extracted.surface_vertex);
+  surface.input_face = std::move(extracted.input_face);
+  surface.input_vertices = input_vertices(surface.surface_vertex, surface.num_vertices());
   return surface;
 }
 
-Surface extract_surface(const Mesh& input) {
-  validate(input);
-  SoundMesh sound = sound_mesh(input);
-  if (sound.mesh.faces.empty()) throw InvalidInput("the mesh has no face of positive area");
-  return largest_surface(std::move(sound));
+Surface mirror_image(Surface surface) {
+  for (Point& p : surface.mesh.vertices) p[0] = -p[0];
+  for (Face& face : surface.mesh.faces) turn(face);
+  surface.turned.flip();
+  for (Point& normal : surface.normals) normal[0] = -normal[0];
+  return surface;
+}
+
+std::vector<Point> unit_normals(const Mesh& mesh) {
+  std::vector<Point> normals = weighted_vertex_normals(mesh);
+  for (Point& normal : normals) normal.normalize();
+  return normals;
 }
 
 }  // namespace isomatch

@@ -2,25 +2,28 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/methods/tracked.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
-#include <optional>
+#include <memory>
 #include <utility>
 
 #include "isomatch/error.h"
 #include "parallel.h"
-#include "tracked/dense_map.h"
-#include "tracked/steps.h"
-#include "tracked/tracker.h"
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
+#include "steps.h"
+#include "tracked/tracks/dense_map.h"
+#include "tracked/tracks/finals.h"
 
 namespace isomatch {
 namespace {
 
 using namespace tracked;
 
-TrackerOptions tracker_options(const TrackedOptions& options) {
-  TrackerOptions result;
-  result.landmarks = options.landmarks;
+Options options_of(const TrackedOptions& options) {
+  Options result;
   result.elastic_judging = options.elastic_judging;
   result.hypotheses.growth.orientation = options.orientation;
   result.different_maps = options.alternatives + 1;
@@ -29,70 +32,106 @@ TrackerOptions tracker_options(const TrackedOptions& options) {
   return result;
 }
 
-void check_landmarks(const Correspondence& landmarks, const Surface& source,
-                     const Surface& target) {
-  std::vector<bool> used(source.num_vertices(), false);
+/// Landmarks between the surfaces. Throws `InvalidInput` if one is out of range or not part of a
+/// surface, or a source vertex has two.
+SurfaceMatches checked_landmarks(const Surface& source, const Surface& target,
+                                 const Correspondence& landmarks) {
+  std::vector<int> sources, targets;
   for (const auto& [s, t] : landmarks) {
-    if (s < 0 || s >= source.num_vertices() || t < 0 || t >= target.num_vertices())
-      throw InvalidInput("a landmark is no vertex of the surfaces");
-    if (used[s]) throw InvalidInput("a source vertex has two landmarks");
-    used[s] = true;
+    sources.push_back(s);
+    targets.push_back(t);
   }
+  on_surface(source, sources, "source vertex");
+  on_surface(target, targets, "target vertex");
+  std::ranges::sort(sources);
+  const auto twice = std::ranges::adjacent_find(sources);
+  if (twice != sources.end())
+    throw InvalidInput(fmt::format("source vertex {} has two landmarks", *twice));
+  SurfaceMatches result = on_surfaces(source, target, landmarks);
+  const auto differ = std::ranges::adjacent_find(*result, {}, &Match::source);
+  if (differ != result->end())
+    throw InvalidInput(fmt::format("copies of source vertex {} on a seam have different landmarks",
+                                   source.input_vertex[differ->source]));
+  return result;
 }
 
 /// Where of the whole stages begin, as measured on shapes of 5,000 to 42,000 vertices.
 constexpr double kHypothesesBegin = 0.28, kRefinementBegin = 0.6, kDenseMapBegin = 0.97;
 
+using Pyramids = std::vector<std::shared_ptr<const Pyramid>>;
+
 /// The target, the source, and the source's mirror image if that may match as well.
-std::vector<Model> make_models(const Surface& source, const Surface& target, bool with_mirror,
-                               const TrackerOptions& options, const Context& context) {
+Pyramids make_pyramids(const Shape& source, const Shape& target, bool with_mirror,
+                       const PyramidOptions& options, const Context& context) {
   struct Request {
-    const Surface* surface;
+    const Shape* shape;
     bool mirrored;
   };
   std::vector<Request> requests{{&target, false}, {&source, false}};
   if (with_mirror) requests.push_back({&source, true});
-  Steps steps(context, "models", 0, 1, kModelSteps * static_cast<int>(requests.size()));
+  Steps steps(context, "shapes", 0, 1, kPyramidSteps * static_cast<int>(requests.size()));
   const Context alone{.threads = 1,
                       .progress = [&](double, std::string_view) { steps.take(); },
                       .stop = context.stop};
-  std::vector<std::optional<Model>> made(requests.size());
+  Pyramids pyramids(requests.size());
   parallel_for(std::ssize(requests), context, [&](std::ptrdiff_t k) {
-    made[k].emplace(make_model(*requests[k].surface, requests[k].mirrored, options, alone));
+    pyramids[k] = pyramid_of(requests[k].shape->prepared(), requests[k].mirrored, options, alone);
   });
-  std::vector<Model> models;
-  for (auto& model : made) models.push_back(std::move(*model));
-  return models;
+  return pyramids;
 }
 
-/// Hypotheses of all sources, least cost first; the first of the models is the target.
-Candidates all_judged(const std::vector<Model>& models, const TrackerOptions& options,
-                      const Context& context) {
-  const double share = 1.0 / static_cast<double>(models.size() - 1);
+/// Hypotheses of all sources, least cost first; the first of the pyramids is the target.
+Candidates all_judged(const Pyramids& pyramids, const Options& options, const Context& context) {
+  const double share = 1.0 / static_cast<double>(pyramids.size() - 1);
   Candidates all;
-  for (std::size_t k = 1; k < models.size(); ++k) {
+  for (std::size_t k = 1; k < pyramids.size(); ++k) {
     const double end = static_cast<double>(k) * share;
     Candidates more =
-        judged_hypotheses(models[k], models[0], options, part_of(context, end - share, end));
+        judged_hypotheses(*pyramids[k], *pyramids[0], options, part_of(context, end - share, end));
     std::ranges::move(more.possible, std::back_inserter(all.possible));
     std::ranges::move(more.contradicting, std::back_inserter(all.contradicting));
   }
-  if (models.size() > 2) {
+  if (pyramids.size() > 2) {
     sort_by_cost(all.possible);
     sort_by_cost(all.contradicting);
   }
   return all;
 }
 
-std::vector<TrackedMap> dense_maps(const std::vector<Track>& tracks, const Model& target,
-                                   const TrackerOptions& options, const Context& context) {
+/// In the caller's numbers and coordinates.
+TrackedMap tracked_map(const Shape& source, const Shape& target, const Track& track,
+                       DenseMap dense) {
+  const Surface& from = *source.prepared().surface();
+  const Surface& onto = *target.prepared().surface();
+  for (Point& p : dense.registered) p = p * onto.scale + onto.centre;
+  return {.source_to_target = to_input(from, onto, dense.source_to_target),
+          .target_to_source = to_input(onto, from, dense.target_to_source),
+          .registered = at_input(source.mesh(), from, dense.registered),
+          .energy = track.registration.energy,
+          .distance = track.registration.distance,
+          .deviation = track.registration.deviation,
+          .distortion = track.judged.hypothesis.distortion,
+          .orientation = track.judged.hypothesis.orientation,
+          .mirrored = track.judged.source->mirrored};
+}
+
+std::vector<TrackedMap> dense_maps(const Shape& source, const Shape& target,
+                                   const std::vector<Track>& tracks, const Pyramid& pyramid,
+                                   const Options& options, const Context& context) {
   Steps steps(context, "dense map", 0, 1, static_cast<int>(tracks.size()));
   std::vector<TrackedMap> maps;
   for (const Track& track : tracks) {
-    maps.push_back(dense_map(track, target, options, context));
+    maps.push_back(tracked_map(source, target, track, dense_map(track, pyramid, options, context)));
     steps.take();
   }
   return maps;
+}
+
+void check_found(const Candidates& candidates) {
+  if (!candidates.possible.empty()) return;
+  throw InvalidInput(candidates.contradicting.empty()
+                         ? "the shapes have too little in common: there is no hypothesis to follow"
+                         : "there is no map that satisfies the landmarks");
 }
 
 }  // namespace
@@ -101,54 +140,59 @@ void TrackedOptions::validate() const {
   if (alternatives < 0) throw InvalidInput("alternatives must not be negative");
 }
 
-TrackedResult match_tracked(const Surface& source, const Surface& target,
-                            const TrackedOptions& options, const Context& context) {
-  options.validate();
-  check_landmarks(options.landmarks, source, target);
-  const TrackerOptions tracking = tracker_options(options);
+TrackedResult match_tracked(const Shape& source, const Shape& target,
+                            const TrackedOptions& tracked_options, const Context& context) {
+  tracked_options.validate();
+  const Surface& from = *source.prepared().surface();
+  const Surface& onto = *target.prepared().surface();
+  Options options = options_of(tracked_options);
+  options.landmarks = checked_landmarks(from, onto, tracked_options.landmarks);
   TrackedResult result;
   const auto timed = [&](std::string_view stage, double begin, double end, const auto& work) {
     context.report(begin, stage);
     const StageTimer timer(result.times, stage);
     return work(part_of(context, begin, end));
   };
-  const std::vector<Model> models = timed("models", 0, kHypothesesBegin, [&](const Context& part) {
-    return make_models(source, target, options.allow_reflection, tracking, part);
+  const Pyramids pyramids = timed("shapes", 0, kHypothesesBegin, [&](const Context& part) {
+    return make_pyramids(source, target, tracked_options.allow_reflection, options.pyramid, part);
   });
-  result.oriented = models[0].proxy.oriented && models[1].proxy.oriented;
+  const Pyramid& goal = *pyramids.front();
+  result.oriented = from.oriented && onto.oriented;
   const Candidates candidates =
       timed("hypotheses", kHypothesesBegin, kRefinementBegin,
-            [&](const Context& part) { return all_judged(models, tracking, part); });
-  if (candidates.possible.empty())
-    throw InvalidInput(
-        candidates.contradicting.empty()
-            ? "the shapes have too little in common: there is no hypothesis to follow"
-            : "there is no map that satisfies the landmarks");
+            [&](const Context& part) { return all_judged(pyramids, options, part); });
+  check_found(candidates);
   for (const Judged& j : candidates.possible)
     result.hypotheses.push_back({j.hypothesis.distortion, j.hypothesis.orientation, j.energy});
   const Finals finals =
       timed("refinement", kRefinementBegin, kDenseMapBegin, [&](const Context& part) {
-        return run_finals(models[0], candidates.possible, tracking, part);
+        Finals followed = run_finals(goal, candidates.possible, options, part);
+        result.contradicted_landmarks =
+            to_input(from, onto,
+                     contradicted_landmarks(goal, candidates.contradicting, followed.middle_cost,
+                                            options, context));
+        return followed;
       });
-  result.contradicted_landmarks = contradicted_landmarks(models[0], candidates.contradicting,
-                                                         finals.middle_cost, tracking, context);
   result.ambiguity = finals.ambiguity;
   result.maps = timed("dense map", kDenseMapBegin, 1, [&](const Context& part) {
-    return dense_maps(finals.tracks, models[0], tracking, part);
+    return dense_maps(source, target, finals.tracks, goal, options, part);
   });
   return result;
 }
 
-Correspondence matches(const Surface& source, const Surface& target, const TrackedMap& map) {
-  const VertexMap forward = nearest_vertices(target.mesh, map.source_to_target);
-  const VertexMap backward = nearest_vertices(source.mesh, map.target_to_source);
+Correspondence matches(const Shape& source, const Shape& target, const TrackedMap& map) {
+  const Surface& from = *source.prepared().surface();
+  const Surface& onto = *target.prepared().surface();
+  const VertexMap forward =
+      nearest_vertices(onto.mesh, *on_surfaces(from, onto, map.source_to_target));
+  const VertexMap backward =
+      nearest_vertices(from.mesh, *on_surfaces(onto, from, map.target_to_source));
   Correspondence matches = to_correspondence(forward);
   std::vector<bool> hit(backward.size(), false);
   for (const Match& match : matches) hit[match.target] = true;
   for (std::size_t t = 0; t < backward.size(); ++t)
     if (!hit[t] && backward[t] != kUnmatched) matches.push_back({backward[t], static_cast<int>(t)});
-  std::ranges::sort(matches);
-  return matches;
+  return to_input(from, onto, SurfaceMatches(std::move(matches)));
 }
 
 }  // namespace isomatch

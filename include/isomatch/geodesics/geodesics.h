@@ -33,6 +33,8 @@ struct GeodesicOptions {
   /// Dijkstra's algorithm over mesh edges (Section 3 of the paper).
   static GeodesicOptions edges() { return {GeodesicArcs::kEdges, 20.0}; }
 
+  bool operator==(const GeodesicOptions&) const = default;
+
   /// Throws `InvalidInput` if a value is out of range.
   void validate() const;
 };

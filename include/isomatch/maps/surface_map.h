@@ -7,7 +7,6 @@
 
 #include "isomatch/maps/correspondence.h"
 #include "isomatch/mesh/mesh.h"
-#include "isomatch/mesh/surface.h"
 
 namespace isomatch {
 
@@ -36,21 +35,5 @@ SurfaceMap corner_points(const Mesh& mesh);
 
 /// A map to vertices of `target` as one to points.
 SurfaceMap corner_points(const Mesh& target, const VertexMap& source_to_target);
-
-/// A map between surfaces as one between the input meshes. Input vertices that are not part of the
-/// source's surface have no point.
-SurfaceMap input_map(const Surface& source, const Surface& target, const SurfaceMap& map);
-
-/// A map between input meshes as one between their surfaces. Of the points of input vertices that
-/// share a surface vertex the lowest vertex's counts; a point on a face that is not part of the
-/// target's surface is none. Throws `InvalidInput` if the map's length is not the source's number
-/// of input vertices or a face is below `kNoFace`.
-SurfaceMap surface_map(const Surface& source, const Surface& target, const SurfaceMap& input_map);
-
-/// `input` after its surface moved: `positions` holds where each vertex of the surface is now, in
-/// whatever coordinates. Input vertices that are not part of the surface follow the surface vertex
-/// that was nearest to them, by the same displacement. Faces are the input's. Throws `InvalidInput`
-/// if `input` or `positions` does not fit `surface`.
-Mesh input_pose(const Mesh& input, const Surface& surface, const std::vector<Point>& positions);
 
 }  // namespace isomatch

@@ -8,7 +8,7 @@
 
 #include "isomatch/context.h"
 #include "isomatch/maps/surface_map.h"
-#include "isomatch/mesh/surface.h"
+#include "isomatch/mesh/shape.h"
 
 /// Whether a map can be trusted, judged from the map and the two surfaces alone.
 namespace isomatch {
@@ -54,12 +54,12 @@ struct FitOptions {
   bool mirrored = false;
 };
 
-/// Judges `source_to_target`, which has a point of the target's surface for each vertex of the
-/// source's, or none, whatever made it. A map that is left-right flipped as a whole, has limbs
+/// Judges `source_to_target`, which has a point, or none, for each vertex of the source, whatever
+/// made it. A map that is left-right flipped as a whole, has limbs
 /// exchanged or leaves a part out is found; one that slides along the surface is not. The limits
 /// are calibrated by bench/tables/verdict.py. Deterministic for any number of threads. Throws
 /// `InvalidInput` if the map does not fit the surfaces. O(N log N).
-Fit judge_fit(const Surface& source, const Surface& target, const SurfaceMap& source_to_target,
+Fit judge_fit(const Shape& source, const Shape& target, const SurfaceMap& source_to_target,
               const FitOptions& options = {}, const Context& context = {});
 
 }  // namespace isomatch

@@ -11,16 +11,11 @@
 #include "isomatch/maps/surface_map.h"
 #include "isomatch/mesh/shape.h"
 
-/// How good a correspondence is, whatever made it. Vertices are those of the shapes' surfaces;
-/// `surface_matches` and `surface_truth` come from the numbers of the input meshes. All functions
-/// are deterministic for any number of threads and throw `InvalidInput` if a vertex is out of range
-/// or an option invalid.
+/// How good a correspondence is, whatever made it. Matches of vertices that are not part of the
+/// shapes' surfaces are left out, and so are template points there; copies of a vertex at a seam
+/// count once. All functions are deterministic for any number of threads and throw `InvalidInput`
+/// if a vertex is out of range or an option invalid.
 namespace isomatch {
-
-/// `matches` between input vertices as matches between surface vertices. Those of vertices that are
-/// not part of the surface are left out.
-Correspondence surface_matches(const Surface& source, const Surface& target,
-                               const Correspondence& matches);
 
 /// Template points whose places on both shapes are known: point i lies at vertex `source[i]` and at
 /// vertex `target[i]`. A vertex may stand for several points.
@@ -31,12 +26,9 @@ struct GroundTruth {
   int size() const { return static_cast<int>(source.size()); }
 };
 
-/// The truth between input vertices (as .vts files hold them) as one between surface vertices.
-/// Points that are off either surface are left out. Throws `InvalidInput` if the numbers of points
-/// differ.
-GroundTruth surface_truth(const Surface& source, const Surface& target,
-                          std::span<const int> source_vertices,
-                          std::span<const int> target_vertices);
+/// The template points that lie on both surfaces. Throws `InvalidInput` if the lists differ in
+/// length.
+GroundTruth on_surfaces(const Shape& source, const Shape& target, const GroundTruth& truth);
 
 struct ErrorStatistics {
   /// Number of errors. If there are none, all else is zero.
@@ -62,43 +54,44 @@ struct TruthOptions {
 /// Geodesic errors of template points, relative to sqrt(area) of the target's surface: the distance
 /// from the true place of each point to every match of its source vertex. Points whose source
 /// vertex has no match are left out.
-ErrorStatistics template_errors(const Shape& target, const GroundTruth& truth,
+ErrorStatistics template_errors(const Shape& source, const Shape& target, const GroundTruth& truth,
                                 const Correspondence& matches, const TruthOptions& options = {},
                                 const Context& context = {});
 
 /// Geodesic errors of template points under a map to points on triangles, relative to sqrt(area) of
-/// the target's surface: `map` has a point of the target's surface for each vertex of the source's.
-/// The distance d from the true vertex to a point x of weights w follows from the distances d_i to
-/// the corners p_i of its triangle, d^2 = sum w_i d_i^2 - sum w_i |p_i - x|^2, which is exact on
-/// flat surfaces; what rounding makes negative is zero. Template points whose source vertex has no
-/// point are left out. Throws `InvalidInput` if a face is out of range too.
-ErrorStatistics point_errors(const Shape& target, const GroundTruth& truth, const SurfaceMap& map,
-                             const TruthOptions& options = {}, const Context& context = {});
+/// the target's surface. The distance d from the true vertex to a point x of weights w follows from
+/// the distances d_i to the corners p_i of its triangle, d^2 = sum w_i d_i^2 - sum w_i |p_i - x|^2,
+/// which is exact on flat surfaces; what rounding makes negative is zero. Template points whose
+/// source vertex has no point are left out. Throws `InvalidInput` too if the map has not a point,
+/// or none, for each vertex of the source.
+ErrorStatistics point_errors(const Shape& source, const Shape& target, const GroundTruth& truth,
+                             const SurfaceMap& map, const TruthOptions& options = {},
+                             const Context& context = {});
 
-/// The same error of each template point in order, NaN where its source vertex has no point. All
-/// are computed.
-std::vector<double> point_error_list(const Shape& target, const GroundTruth& truth,
-                                     const SurfaceMap& map, const Context& context = {});
+/// The mean of the same errors over the template points at each vertex of the source, NaN where
+/// there are none or the vertex has no point. All are computed.
+std::vector<double> vertex_errors(const Shape& source, const Shape& target,
+                                  const GroundTruth& truth, const SurfaceMap& map,
+                                  const Context& context = {});
+/// Of matches, over these as well.
+std::vector<double> vertex_errors(const Shape& source, const Shape& target,
+                                  const GroundTruth& truth, const Correspondence& matches,
+                                  const Context& context = {});
 
 /// D_grd (`mean`) and d_grd-dagger (`maximum`), equations 5 and 6: the distance from the target of
 /// each match to the true place of its source, relative to the target's largest geodesic distance.
 /// If a source vertex stands for several template points, its truth is the first of them. Matches
 /// whose source vertex stands for none are left out.
-ErrorStatistics match_errors(const Shape& target, const GroundTruth& truth,
+ErrorStatistics match_errors(const Shape& source, const Shape& target, const GroundTruth& truth,
                              const Correspondence& matches, const TruthOptions& options = {},
                              const Context& context = {});
 
-/// At most `count` of `matches`, evenly spaced over the source: all if there are no more than
-/// `count`; otherwise those of source vertices in farthest point order, of each vertex the match
-/// with the lowest target.
-std::vector<Match> evenly_spaced_matches(const Shape& source, const Correspondence& matches,
-                                         int count);
-
 struct DistortionOptions {
-  /// Length E of the list xi' in equation 2, drawn by `evenly_spaced_matches`. If it is at least
-  /// the number of matches, the equations are evaluated exactly. A shorter list weighs the surface
-  /// by area, where all matches weigh it by vertices: with 500, D_iso of four maps between meshes
-  /// of 5,000 vertices was within 5 % of the exact value (.0136 for .0142), with 50 within 6 %.
+  /// Length E of the list xi' in equation 2: matches of evenly spread source vertices. If it is at
+  /// least the number of matches, the equations are evaluated exactly. A shorter list weighs the
+  /// surface by area, where all matches weigh it by vertices: with 500, D_iso of four maps between
+  /// meshes of 5,000 vertices was within 5 % of the exact value (.0136 for .0142), with 50 within 6
+  /// %.
   int list_size = 500;
 
   void validate() const;
@@ -110,7 +103,7 @@ struct IsometricDistortion {
   double mean = 0;
   /// d_iso-dagger, the maximum over all matches.
   double maximum = 0;
-  /// d_iso of each match, in their order.
+  /// d_iso of each match, in their order; NaN where a vertex is not part of a surface.
   std::vector<double> per_match;
 };
 
@@ -129,7 +122,7 @@ struct Coverage {
   double area = 0;
 };
 
-Coverage target_coverage(const Shape& target, const Correspondence& matches);
+Coverage target_coverage(const Shape& source, const Shape& target, const Correspondence& matches);
 
 enum class OrientationVerdict {
   kPreserves,

@@ -2,13 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "isomatch/mesh/connectivity.h"
 #include "isomatch/mesh/mesh.h"
-#include "isomatch/mesh/surface.h"
 
 namespace isomatch {
 
@@ -35,7 +33,7 @@ struct MeshDiagnosis {
   /// Its connectivity without degenerate and duplicate faces, seams of split vertices left open.
   Connectivity given;
 
-  // The surface that matching works on (see `Surface`); all zero if no face has an area.
+  // The surface that matching works on (see `Shape`); all zero if no face has an area.
   Connectivity surface;
   /// Components after joining seams; all but the largest stay unmatched.
   int components = 0;
@@ -58,17 +56,12 @@ struct MeshDiagnosis {
   std::vector<std::string> grave_warnings() const;
 };
 
-/// A mesh's diagnosis and its surface, none if no face has an area.
-struct Inspection {
-  MeshDiagnosis diagnosis;
-  std::optional<Surface> surface;
-};
-
-/// Inspects `mesh` and does what `extract_surface` does, in little more time. Throws `InvalidInput`
-/// if `mesh` fails `validate`. O(N log N).
-Inspection inspect(const Mesh& mesh);
-
-/// The diagnosis alone.
+/// Throws `InvalidInput` if `mesh` fails `validate`. O(N log N).
 MeshDiagnosis diagnose(const Mesh& mesh);
+
+/// For each vertex itself or, where it is not finite or stray (see `MeshDiagnosis`), another one,
+/// preferably of its faces, that can stand for it where a mesh is drawn or its extent is asked for.
+/// O(N).
+std::vector<int> stand_ins(const Mesh& mesh);
 
 }  // namespace isomatch

@@ -2,39 +2,60 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <vector>
+#include <memory>
+#include <span>
 
 #include "isomatch/context.h"
 #include "isomatch/geodesics/geodesics.h"
-#include "isomatch/mesh/surface.h"
+#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/mesh/mesh.h"
 
 namespace isomatch {
 
-/// A surface with what every stage of matching needs to know about it. Vertices are the surface's.
-/// Lengths and areas are those of the input over `unit` and its square, so that 32-bit distances
-/// hold whatever the input was measured in.
-struct Shape {
-  Surface surface;
-  /// Length in the input of what is 1 long here: the power of two next to sqrt(area), so that no
-  /// digit is lost.
-  double unit = 1;
-  GeodesicGraph graph;
-  /// A third of the area of the faces around each vertex; their sum is `surface.area`.
-  std::vector<double> vertex_areas;
-  /// The largest geodesic distance on the surface, which normalises g to [0, 1] in everything that
-  /// follows the paper (Section 2). See `geodesic_diameter`.
-  double max_geodesic = 0;
+class PreparedShape;
 
-  int num_vertices() const { return surface.num_vertices(); }
+/// A mesh prepared for matching and measuring, to be kept and used in many pairs. Whatever takes or
+/// gives vertices and faces of a shape counts them as its mesh does.
+///
+/// What is matched is its surface: the connected component of largest area, without degenerate
+/// faces (a repeated vertex, or an area that is zero up to the rounding of the coordinates),
+/// without duplicate faces (the same three vertices as a face of lower index), without faces that
+/// have a vertex that is not finite or stray (see `MeshDiagnosis`), and without unreferenced
+/// vertices. It may have boundaries, non-manifold edges and vertices, and inconsistently oriented
+/// faces. Seams of split vertices, as in files with texture coordinates, are closed where boundary
+/// edges coincide exactly, so that several vertices of the mesh may be one place of the surface.
+/// The other vertices have no match.
+///
+/// Inside, the surface is scaled to unit area. What matching and measuring need besides (geodesic
+/// graph, largest distance, simplified copies, eigenfunctions) is computed when it is first needed,
+/// and kept. A copy shares all of it. Safe to use from several threads.
+class Shape {
+ public:
+  /// `geodesics` is for the paper's method and for measures; the tracked method has its own. Throws
+  /// `InvalidInput` if `mesh` fails `validate`, has a coordinate beyond 1e100, or has no face of
+  /// positive area. O(N log N).
+  explicit Shape(Mesh mesh, const GeodesicOptions& geodesics = {});
+
+  const Mesh& mesh() const;
+  int num_vertices() const { return mesh().num_vertices(); }
+  const MeshDiagnosis& diagnosis() const;
+  /// Of the surface, in squared units of the mesh.
+  double area() const;
+  /// Vertices of the surface.
+  int num_surface_vertices() const;
+  /// Whether a vertex is part of the surface. Throws `InvalidInput` if there is no such vertex.
+  bool on_surface(int vertex) const;
+  /// The vertices that are the same place of the surface, ascending, with `vertex` itself; none if
+  /// it is not part of it. Throws `InvalidInput` if there is no such vertex.
+  std::span<const int> copies(int vertex) const;
+  /// The largest geodesic distance on the surface, in units of the mesh, see `geodesic_diameter`.
+  double max_geodesic(const Context& context = {}) const;
+
+  /// What the library knows of it.
+  const PreparedShape& prepared() const { return *prepared_; }
+
+ private:
+  std::shared_ptr<const PreparedShape> prepared_;
 };
-
-/// Extracts the surface of `input`, builds its geodesic graph and measures it. Throws
-/// `InvalidInput` as `extract_surface` does. O(N log N).
-Shape prepare_shape(const Mesh& input, const GeodesicOptions& options = {},
-                    const Context& context = {});
-
-/// Likewise of a surface that is extracted already.
-Shape prepare_shape(Surface surface, const GeodesicOptions& options = {},
-                    const Context& context = {});
 
 }  // namespace isomatch

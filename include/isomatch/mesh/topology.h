@@ -31,6 +31,8 @@ class IndexLists {
   std::vector<int> values_;
 };
 
+inline constexpr int kNoVertex = -1;
+
 bool has_repeated_vertex(const Face& face);
 
 /// One face's side of an edge: the edge's ends in ascending order, the face, and the corner of the

@@ -2,14 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "isomatch/context.h"
 #include "isomatch/maps/correspondence.h"
 #include "isomatch/mesh/shape.h"
-#include "isomatch/methods/merging.h"
-#include "isomatch/methods/patch_matching.h"
-#include "isomatch/methods/saliency.h"
+#include "isomatch/methods/sampling.h"
 #include "isomatch/stage_times.h"
 
 namespace isomatch {
@@ -28,6 +27,35 @@ struct RadiusOptions {
   /// 0). On meshes with a few short edges the radii would need ten more levels to separate the last
   /// vertices, at the full cost of each.
   double full_share = 0.9;
+
+  /// Throws `InvalidInput` if a value is out of range.
+  void validate() const;
+};
+
+struct PatchMatchingOptions {
+  /// Base vertices of a patch that take part in the combinatorial search; further ones get residual
+  /// matches. The paper expects M <= 6, but 7 to 9 do occur at most levels.
+  int max_patch_bases = 8;
+  /// Partial matchings that a search looks at before it settles for the best one found. Reached
+  /// only where many base vertices are alike.
+  int max_search_nodes = 100000;
+
+  /// Throws `InvalidInput` if a value is out of range.
+  void validate() const;
+};
+
+struct MergingOptions {
+  /// A match is an outlier if its d_iso exceeds this multiple of the mean (step 3).
+  double outlier_factor = 2;
+  /// Steps 1 and 2 choose not only among the matches that the patches propose, but among all base
+  /// vertices within this multiple of the sampling radius of a proposed one. 0 is the paper's
+  /// text.
+  double candidate_radius = 2;
+  /// How often step 1 is repeated, each time around the matches found before and against a list of
+  /// these. 1 is the paper's text.
+  int relaxation_rounds = 2;
+  /// How often step 3 (with step 2) is repeated at most; it ends early when no outlier moves.
+  int outlier_rounds = 4;
 
   /// Throws `InvalidInput` if a value is out of range.
   void validate() const;
@@ -70,18 +98,29 @@ struct PaperLevel {
 };
 
 struct PaperResult {
-  /// Base vertices in the order of selection, as vertices of the surfaces.
+  /// Base vertices in the order of selection.
   std::vector<int> source_bases, target_bases;
   /// At least level 0. d_iso refers to distances over the largest geodesic and to the list of E
   /// matches of each level.
   std::vector<PaperLevel> levels;
-  /// Target vertex of every source vertex of the surfaces: the matches of the last level without
-  /// those that were added for isolated targets. `kUnmatched` for vertices that are no bases.
+  /// Target vertex of every source vertex: the matches of the last level without those that were
+  /// added for isolated targets. Copies at a seam have the same. `kUnmatched` for vertices that are
+  /// no bases.
   VertexMap source_to_target;
   /// True if every vertex of both surfaces is matched.
   bool complete = false;
   std::vector<StageTime> times;
 };
+
+/// D_iso and d_iso-dagger: mean and maximum of d_iso over the matches of a correspondence
+/// (Equations 1 and 4).
+struct DistortionSummary {
+  double mean = 0;
+  double max = 0;
+};
+
+/// Both of them zero if there are no matches.
+DistortionSummary summarize(std::span<const double> d_iso);
 
 /// The base vertices of both shapes at one level, in the order of selection.
 struct JointSampling {

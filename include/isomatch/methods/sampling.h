@@ -8,71 +8,44 @@
 #include "isomatch/context.h"
 #include "isomatch/mesh/shape.h"
 
+/// Which vertices stand out, and evenly spread base vertices (Section 3 of the paper). What has one
+/// value a vertex is NaN where a vertex is not part of the surface.
 namespace isomatch {
 
-/// The base vertices of one shape at one level and what their patches cover (Section 3).
-struct BaseSampling {
-  /// Sampling radius r(k), in units of the shape.
-  float radius = 0;
-  /// S(k) in the order of selection: S(k-1) comes first, so that an index into this list means the
-  /// same base vertex at all later levels.
-  std::vector<int> bases;
-  /// Area of the largest patch, in squared units of the shape.
-  double largest_patch_area = 0;
+struct SaliencyOptions {
+  /// Evenly spaced points that stand for the surface in the integral geodesic distance. Hilaga et
+  /// al. use about 150.
+  int integral_points = 150;
+  /// Standard deviation of the smoothing of the Gaussian curvature, relative to sqrt(area). The
+  /// paper names no scale; at that of single edges the order of the vertices is that of the
+  /// meshing, and the samplings of two shapes have little in common.
+  double curvature_scale = 0.03;
+
+  /// Throws `InvalidInput` if a value is out of range.
+  void validate() const;
 };
 
-/// Section 3, one level: starts from the `inherited` base vertices and adds the first vertex of
-/// `order` that no patch covers until all are covered. New base vertices are more than `radius`
-/// apart from all others; every vertex is within `radius` of a base vertex. With radius 0 all
-/// vertices become bases, those that coincide as well. Cost: one ball a base.
-BaseSampling sample_bases(const Shape& shape, std::span<const int> order,
-                          std::span<const int> inherited, float radius,
-                          const Context& context = {});
+/// Integral geodesic distance of Hilaga et al. 2001: the integral of g(v, p) over p on the surface,
+/// divided by the area and the largest geodesic distance, so in [0, 1]. Large at extremities. One
+/// value a vertex. O(integral_points N log N).
+std::vector<double> integral_geodesic_distance(const Shape& shape,
+                                               const SaliencyOptions& options = {},
+                                               const Context& context = {});
 
-/// The geodesic distances between base vertices that are close to each other.
-class BaseNeighbourhoods {
- public:
-  struct Neighbour {
-    int base;  ///< Index into the list of bases.
-    float distance;
-  };
+/// Gaussian curvature at each vertex: angle defects, spread by heat flow to `curvature_scale`,
+/// times the area of the surface. The angle defect of a boundary vertex counts as zero. One value a
+/// vertex. One sparse system solved by conjugate gradients.
+std::vector<double> gaussian_curvature(const Shape& shape, const SaliencyOptions& options = {},
+                                       const Context& context = {});
 
-  BaseNeighbourhoods() = default;
-  /// All pairs of `bases` within `cutoff` of each other. Cost: one ball a base.
-  BaseNeighbourhoods(const Shape& shape, std::span<const int> bases, float cutoff,
-                     const Context& context = {});
+/// Vertices in descending order of saliency, ties to the lower index; without those that have none
+/// (NaN).
+std::vector<int> descending_order(std::span<const double> saliency);
 
-  /// Bases within `cutoff` of `base`, itself included, in ascending order of index.
-  std::span<const Neighbour> operator[](int base) const {
-    return {neighbours_.data() + offsets_[base], neighbours_.data() + offsets_[base + 1]};
-  }
-  /// Distance between two bases, or the cutoff if they are farther apart.
-  float distance(int a, int b) const;
-  float cutoff() const { return cutoff_; }
-
- private:
-  float cutoff_ = 0;
-  std::vector<std::size_t> offsets_{0};
-  std::vector<Neighbour> neighbours_;
-};
-
-/// The base vertices of one shape at one level and the distances among them. Bases are meant by
-/// their index, 0-based, in the order of selection.
-struct ShapeLevel {
-  BaseSampling sampling;
-  /// Up to twice the sampling radius of the level before, the extent of a parent patch; at level 0
-  /// among all bases.
-  BaseNeighbourhoods neighbourhoods;
-
-  int num_bases() const { return static_cast<int>(sampling.bases.size()); }
-};
-
-/// One level before anything is matched.
-struct SampledLevel {
-  ShapeLevel source, target;
-  /// Source bases, evenly spaced, whose matches make the list xi' (Section 6). They are bases of
-  /// the level before as well, except at level 0.
-  std::vector<int> landmarks;
-};
+/// Adds to none the first vertex of `order` that is not within `radius`, in units of the mesh, of
+/// a vertex chosen before, until all are. Vertices of `order` must be part of the surface. With
+/// radius 0 all are chosen. Throws `InvalidInput` if a vertex is not. Cost: one ball a base.
+std::vector<int> sample_bases(const Shape& shape, std::span<const int> order, double radius,
+                              const Context& context = {});
 
 }  // namespace isomatch

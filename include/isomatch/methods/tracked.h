@@ -7,7 +7,7 @@
 #include "isomatch/context.h"
 #include "isomatch/maps/correspondence.h"
 #include "isomatch/maps/surface_map.h"
-#include "isomatch/mesh/surface.h"
+#include "isomatch/mesh/shape.h"
 #include "isomatch/stage_times.h"
 
 namespace isomatch {
@@ -23,7 +23,7 @@ struct TrackedOptions {
   bool refinement = true;
   /// Maps besides the best one that are refined and returned, if there are as many.
   int alternatives = 0;
-  /// Pairs of surface vertices that must match. No source vertex twice.
+  /// Pairs of vertices that must match. No source vertex twice.
   Correspondence landmarks;
 
   /// Throws `InvalidInput` if a value is out of range.
@@ -32,9 +32,11 @@ struct TrackedOptions {
 
 /// One of the maps that were tracked. Lengths and energies refer to surfaces of unit area.
 struct TrackedMap {
-  /// A point on the target surface for every source vertex, and the other way round.
+  /// A point on the target for every source vertex that is part of the surface, and the other way
+  /// round.
   SurfaceMap source_to_target, target_to_source;
-  /// The source's vertices after registration, in the target's coordinates.
+  /// The source's vertices after registration, in the target's coordinates. Vertices that are not
+  /// part of the surface follow the nearest one that is.
   std::vector<Point> registered;
   /// As-rigid-as-possible energy of the registration by which maps are ranked, before the last
   /// one; the less, the better.
@@ -82,13 +84,15 @@ struct TrackedResult {
 /// by a coarse elastic registration; the best refined by alternating spectral maps (Melzi et al.
 /// 2019) and as-rigid-as-possible registration (Sorkine and Alexa 2007); of these, the one that
 /// fits best refined further and carried over to all vertices. Deterministic for any number of
-/// threads. Throws `InvalidInput` if an option is out of range or no hypothesis is found,
+/// threads. Throws `InvalidInput` if an option or a
+/// landmark is out of range, a landmark is not part of the surface, or no hypothesis is found,
 /// `Cancelled` if `context` says so. O(N log N).
-TrackedResult match_tracked(const Surface& source, const Surface& target,
+TrackedResult match_tracked(const Shape& source, const Shape& target,
                             const TrackedOptions& options = {}, const Context& context = {});
 
-/// A many-to-many relation in which every vertex of both surfaces occurs: `source_to_target` at its
+/// A many-to-many relation in which every vertex of both surfaces occurs, with all its copies at
+/// seams: `source_to_target` at its
 /// nearest vertices, and the nearest source of each target vertex that it does not hit.
-Correspondence matches(const Surface& source, const Surface& target, const TrackedMap& map);
+Correspondence matches(const Shape& source, const Shape& target, const TrackedMap& map);
 
 }  // namespace isomatch

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/detail.h"
+#include "tracked/shape/detail.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(Simplify, LeavesASmallMeshAsItIs) {
 
 class DetailOfASphere : public testing::Test {
  protected:
-  UnitSurface surface_ = unit_surface(extract_surface(test::icosphere(5)));
+  Surface surface_ = unit_surface(extract_surface(test::icosphere(5)));
   Detail detail_ = make_detail(surface_, 1000, {});
 };
 
@@ -61,7 +61,7 @@ TEST_F(DetailOfASphere, ThreadsChangeNothing) {
 }
 
 TEST(Detail, OfASmallSurfaceIsTheSurface) {
-  const UnitSurface surface = unit_surface(extract_surface(test::rough_sphere(3, 0.2, 1)));
+  const Surface surface = unit_surface(extract_surface(test::rough_sphere(3, 0.2, 1)));
   const Detail detail = make_detail(surface, surface.mesh.num_vertices(), {});
   EXPECT_EQ(detail.mesh.vertices, surface.mesh.vertices);
   const std::vector<int> anchor = anchors(surface, detail, {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/growth.h"
+#include "tracked/hypotheses/growth.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ std::vector<int> first_numbers(int count) {
 }
 
 /// By how many radians the turn at landmark `a` from `b` to `c` is not that of the plane.
-double turn_error(const Proxy& proxy, const Landmarks& landmarks, int a, int b, int c) {
+double turn_error(const Proxy& proxy, const NodeDirections& landmarks, int a, int b, int c) {
   const auto planar = [&](int to) {
     const Point offset = proxy.node_position(to) - proxy.node_position(a);
     return std::complex<double>(offset.x(), offset.y());
@@ -37,9 +37,9 @@ double turn_error(const Proxy& proxy, const Landmarks& landmarks, int a, int b, 
   return std::abs(std::arg(seen(c) / seen(b) * planar(b) / planar(c)));
 }
 
-TEST(Landmarks, SeeOthersInTheDirectionsOfThePlane) {
+TEST(NodeDirections, SeeOthersInTheDirectionsOfThePlane) {
   const Proxy proxy = Prepared(test::sheet(30, 30)).proxy;
-  const Landmarks landmarks(proxy, first_numbers(60));
+  const NodeDirections landmarks(proxy, first_numbers(60));
   double sum = 0, largest = 0;
   int count = 0;
   for (int a = 0; a < 60; ++a) {
@@ -62,10 +62,10 @@ TEST(Landmarks, SeeOthersInTheDirectionsOfThePlane) {
   EXPECT_LT(largest, 0.4);
 }
 
-TEST(Landmarks, KnowTheDistancesOfTheirNodes) {
+TEST(NodeDirections, KnowTheDistancesOfTheirNodes) {
   const Proxy proxy = Prepared(test::icosphere(3)).proxy;
   const std::vector<int> nodes{5, 17, 3, 99};
-  const Landmarks landmarks(proxy, nodes);
+  const NodeDirections landmarks(proxy, nodes);
   ASSERT_EQ(landmarks.size(), 4);
   for (int a = 0; a < 4; ++a) {
     EXPECT_EQ(landmarks.node(a), nodes[a]);
@@ -79,10 +79,10 @@ TEST(Landmarks, KnowTheDistancesOfTheirNodes) {
 
 constexpr int kLandmarks = 80;
 
-/// Landmarks of a creature and of its mirror image, at the same vertices.
+/// NodeDirections of a creature and of its mirror image, at the same vertices.
 class GrowthTest : public testing::Test {
  protected:
-  static Landmarks landmarks(const Prepared& prepared) {
+  static NodeDirections landmarks(const Prepared& prepared) {
     return {prepared.proxy, first_numbers(kLandmarks)};
   }
 
@@ -107,7 +107,7 @@ class GrowthTest : public testing::Test {
   const Mesh mesh_ = synthesize({.vertices = 1000, .pose = 3}).mesh;
   const Prepared creature_{mesh_};
   const Prepared mirrored_{test::mirrored(mesh_)};
-  const Landmarks landmarks_ = landmarks(creature_);
+  const NodeDirections landmarks_ = landmarks(creature_);
   const std::vector<int> identity_ = first_numbers(kLandmarks);
 };
 
@@ -165,7 +165,7 @@ TEST_F(GrowthTest, DistortionIsTheMeanDifferenceOfDistances) {
 
 TEST_F(GrowthTest, OrientationOfAMirrorImageIsReversed) {
   const int count = mirrored_.proxy.num_measured();
-  const Landmarks all(mirrored_.proxy, first_numbers(count));
+  const NodeDirections all(mirrored_.proxy, first_numbers(count));
   LandmarkMap map{mirror_map()};
   for (int target : map.target_of_source) ASSERT_LT(target, count);
   Growth(landmarks_, kLandmarks, all, count, {}).measure(map);

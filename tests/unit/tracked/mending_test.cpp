@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/mending.h"
+#include "tracked/tracks/mending.h"
 
 #include <gtest/gtest.h>
 

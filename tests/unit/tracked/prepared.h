@@ -3,7 +3,7 @@
 #pragma once
 
 #include "isomatch/mesh/shape.h"
-#include "tracked/proxy.h"
+#include "tracked/shape/proxy.h"
 
 namespace isomatch::test {
 
@@ -17,7 +17,7 @@ struct Prepared {
         proxy(tracked::make_proxy(detail, surface.oriented, options, context)) {}
 
   Shape shape;
-  tracked::UnitSurface surface;
+  tracked::Surface surface;
   tracked::Detail detail;
   tracked::Proxy proxy;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/proxy.h"
+#include "tracked/shape/proxy.h"
 
 #include <gtest/gtest.h>
 

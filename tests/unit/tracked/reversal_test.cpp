@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/reversal.h"
+#include "tracked/tracks/reversal.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "isomatch/mesh/synth.h"
-#include "tracked/model.h"
+#include "tracked/shape/pyramid.h"
 
 namespace isomatch::tracked {
 namespace {
 
-TrackerOptions small_options() {
-  TrackerOptions options;
+Options small_options() {
+  Options options;
   options.proxy = {.vertices = 1000, .nodes = 300, .measured_nodes = 200};
   options.middle_nodes = 200;
   return options;
@@ -25,7 +25,7 @@ class ReversalTest : public testing::Test {
  protected:
   /// A pose, and for each vertex of its surface the place in the pose that all have in common.
   struct Posed {
-    Model model;
+    Pyramid model;
     std::vector<Point> rest;
 
     const Point& rest_of_node(int node) const {
@@ -36,7 +36,7 @@ class ReversalTest : public testing::Test {
   Posed posed(int pose) const {
     const SynthShape shape = synthesize({.vertices = 1500, .pose = pose});
     const Surface surface = extract_surface(shape.mesh);
-    return {make_model(surface, false, options_, {}), selected(shape.rest, surface.input_vertex)};
+    return {make_pyramid(surface, false, options_, {}), selected(shape.rest, surface.input_vertex)};
   }
 
   /// Where a node of the source belongs.
@@ -49,12 +49,12 @@ class ReversalTest : public testing::Test {
     std::vector<int> vertices;
     for (int i = 0; i < source.model.fine.size(); ++i)
       vertices.push_back(nearest(target.model.proxy.mesh.vertices, true_place(source, target, i)));
-    return Tracking(target.model, options_)
+    return Refinement(target.model, options_)
         .fine_rounds({{}, 0, &source.model}, vertices, options_.rounds - rounds);
   }
 
   void settle(Track& track, const Posed& target) const {
-    settle_with_reverse(track, Tracking(target.model, options_), target.model, options_);
+    settle_with_reverse(track, Refinement(target.model, options_), target.model, options_);
   }
 
   static int nearest(const std::vector<Point>& points, const Point& place) {
@@ -69,7 +69,7 @@ class ReversalTest : public testing::Test {
     return sum / track.deformation.size();
   }
 
-  const TrackerOptions options_ = small_options();
+  const Options options_ = small_options();
 };
 
 TEST_F(ReversalTest, LeavesTheIdentityAlone) {
@@ -93,11 +93,11 @@ TEST_F(ReversalTest, BringsTheMapCloserToTheTruth) {
 
 TEST_F(ReversalTest, KeepsLandmarks) {
   const Posed source = posed(1), target = posed(2);
-  TrackerOptions options = options_;
+  Options options = options_;
   for (const int vertex : {3, 500, 1200})
     options.landmarks.push_back({vertex, nearest(target.rest, source.rest[vertex])});
   Track track = this->track(source, target, 4);
-  settle_with_reverse(track, Tracking(target.model, options), target.model, options);
+  settle_with_reverse(track, Refinement(target.model, options), target.model, options);
   for (const auto& [s, t] : options.landmarks) {
     const int node = nearest_node(source.model, s, track.deformation.size());
     EXPECT_LT((track.deformation.positions()[node] - target.model.surface.mesh.vertices[t]).norm(),

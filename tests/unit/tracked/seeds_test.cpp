@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/seeds.h"
+#include "tracked/hypotheses/seeds.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/transfer.h"
+#include "tracked/tracks/deformed_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -12,31 +12,31 @@
 #include "support/mesh_files.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "tracked/model.h"
+#include "tracked/shape/pyramid.h"
 
 namespace isomatch::tracked {
 namespace {
 
 /// With a detail of a part of the vertices.
-Model small_model(const Mesh& mesh) {
-  TrackerOptions options;
+Pyramid small_model(const Mesh& mesh) {
+  Options options;
   options.detail_vertices = 800;
   options.proxy = {.vertices = 500, .nodes = 150};
-  return make_model(extract_surface(mesh), false, options, {});
+  return make_pyramid(extract_surface(mesh), false, options, {});
 }
 
-elastic::Deformation deformation_of(const Model& model) {
+elastic::Deformation deformation_of(const Pyramid& model) {
   NodeGraph graph = node_graph(model.proxy, model.proxy.num_nodes());
   return {std::move(graph.cloud.positions), std::move(graph.neighbours)};
 }
 
-DeformedSurface transferred(const Model& model, const elastic::Deformation& deformation) {
+DeformedSurface transferred(const Pyramid& model, const elastic::Deformation& deformation) {
   return transfer(model, deformation, node_graph(model.proxy, deformation.size()).cloud.features,
                   {});
 }
 
 TEST(Transfer, CarriesARigidMotionExactly) {
-  const Model model = small_model(synthesize({.vertices = 2000, .pose = 1}).mesh);
+  const Pyramid model = small_model(synthesize({.vertices = 2000, .pose = 1}).mesh);
   test::Random random(1);
   for (int trial = 0; trial < 3; ++trial) {
     const Eigen::Matrix3d rotation = random.rotation();
@@ -57,7 +57,7 @@ TEST(Transfer, CarriesARigidMotionExactly) {
 }
 
 TEST(Transfer, OfAProxyIsThatOfItsVertices) {
-  const Model model = small_model(synthesize({.vertices = 2000, .pose = 1}).mesh);
+  const Pyramid model = small_model(synthesize({.vertices = 2000, .pose = 1}).mesh);
   elastic::Deformation deformation = deformation_of(model);
   std::vector<Point> bent = deformation.rest();
   for (Point& p : bent) p = Point(p.x() + 0.3 * p.y() * p.y(), p.y(), p.z());
@@ -77,7 +77,7 @@ TEST(Transfer, OfAProxyIsThatOfItsVertices) {
 }
 
 TEST(Transfer, OfTheRestPoseChangesNothing) {
-  const Model model = small_model(test::torus(60, 30));
+  const Pyramid model = small_model(test::torus(60, 30));
   const DeformedSurface result = transferred(model, deformation_of(model));
   ASSERT_EQ(result.features.size(), model.detail.mesh.num_vertices());
   for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
@@ -87,7 +87,7 @@ TEST(Transfer, OfTheRestPoseChangesNothing) {
 }
 
 TEST(Transfer, FollowsASmoothBend) {
-  const Model model = small_model(test::sheet(40, 40));
+  const Pyramid model = small_model(test::sheet(40, 40));
   const auto rolled = [](const Point& p) {
     return Point(std::sin(p.x()), p.y(), 1 - std::cos(p.x()));
   };
@@ -104,7 +104,7 @@ TEST(Transfer, FollowsASmoothBend) {
 TEST(Transfer, OfTinyMeshes) {
   const Mesh triangle{{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
   for (const Mesh& mesh : {triangle, test::tetrahedron()}) {
-    const Model model = small_model(mesh);
+    const Pyramid model = small_model(mesh);
     const DeformedSurface result = transferred(model, deformation_of(model));
     for (int v = 0; v < model.surface.mesh.num_vertices(); ++v)
       EXPECT_LT((result.positions[v] - model.surface.mesh.vertices[v]).norm(), 1e-9);

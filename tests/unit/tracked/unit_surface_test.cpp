@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/unit_surface.h"
+#include "shape/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 namespace isomatch::tracked {
 namespace {
 
-TEST(UnitSurface, HasUnitAreaAndTheWayBack) {
+TEST(Surface, HasUnitAreaAndTheWayBack) {
   const test::Prepared prepared(test::rough_sphere(2, 0.2, 1));
-  const UnitSurface& surface = prepared.surface;
+  const Surface& surface = prepared.surface;
   EXPECT_NEAR(surface_area(surface.mesh), 1, 1e-12);
   EXPECT_TRUE(surface.oriented);
   for (int v = 0; v < prepared.shape.num_vertices(); ++v) {
@@ -24,12 +24,12 @@ TEST(UnitSurface, HasUnitAreaAndTheWayBack) {
   }
 }
 
-TEST(UnitSurface, KnowsWhichFacesItTurned) {
+TEST(Surface, KnowsWhichFacesItTurned) {
   Mesh spotted = test::icosphere(3);
   for (int f = 0; f < spotted.num_faces(); f += 10)
     std::swap(spotted.faces[f][0], spotted.faces[f][1]);
   const Shape shape = prepare_shape(spotted);
-  const UnitSurface surface = unit_surface(shape.surface),
+  const Surface surface = unit_surface(shape.surface),
                     mirrored = unit_surface(shape.surface, true);
   for (int f = 0; f < spotted.num_faces(); ++f) {
     Face face = shape.surface.mesh.faces[f];

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/hypotheses/growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace isomatch::tracked {
+
+Growth::Growth(const NodeDirections& source, int source_count, const NodeDirections& target,
+               int target_count, const GrowthOptions& options)
+    : source_(source),
+      target_(target),
+      options_(options),
+      source_count_(std::min(source_count, source.size())),
+      target_count_(std::min(target_count, target.size())),
+      oriented_(options.orientation && source.oriented() && target.oriented()),
+      nearest_(source_count_),
+      cost_(target_count_) {
+  for (int i = 0; i < source_count_; ++i) {
+    nearest_[i].resize(source_count_);
+    std::iota(nearest_[i].begin(), nearest_[i].end(), 0);
+    std::ranges::stable_sort(nearest_[i], {}, [&](int j) { return source.distance(i, j); });
+  }
+}
+
+/// Fills `cost_` with the mean distortion of each target against all other matches.
+void Growth::accumulate(int source, const std::vector<int>& map) {
+  std::ranges::fill(cost_, 0.0F);
+  int count = 0;
+  for (int j = 0; j < source_count_; ++j) {
+    if (map[j] == kUnmatched || j == source) continue;
+    const float expected = source_.distance(source, j);
+    const float* distances = target_.distances_from(map[j]).data();
+    for (std::size_t t = 0; t < cost_.size(); ++t) cost_[t] += std::abs(expected - distances[t]);
+    ++count;
+  }
+  for (float& cost : cost_) cost /= static_cast<float>(std::max(1, count));
+}
+
+void Growth::find_nearest_matched(int source, const std::vector<int>& map) {
+  near_.clear();
+  for (int j : nearest_[source]) {
+    if (j == source || map[j] == kUnmatched) continue;
+    near_.push_back(j);
+    if (static_cast<int>(near_.size()) == options_.neighbours) return;
+  }
+}
+
+/// How well the directions to the nearest matches agree after a rotation, less how well they agree
+/// after a reflection.
+float Growth::orientation(int source, int target, const std::vector<int>& map) const {
+  std::complex<float> rotation = 0, reflection = 0;
+  for (int j : near_) {
+    const auto a = source_.direction(source, j);
+    const auto b = target_.direction(target, map[j]);
+    rotation += std::conj(a) * b;
+    reflection += a * b;
+  }
+  const auto count = static_cast<float>(std::max<std::size_t>(1, near_.size()));
+  return (std::abs(rotation) - std::abs(reflection)) / count;
+}
+
+int Growth::best_target(int source, const std::vector<int>& map) {
+  accumulate(source, map);
+  const auto least = std::ranges::min_element(cost_);
+  if (!oriented_) return static_cast<int>(least - cost_.begin());
+  find_nearest_matched(source, map);
+  const float limit = *least + options_.slack;
+  int best = static_cast<int>(least - cost_.begin());
+  float best_score = std::numeric_limits<float>::max();
+  for (int t = 0; t < target_count_; ++t) {
+    if (cost_[t] > limit) continue;
+    const float score =
+        cost_[t] + options_.orientation_weight * (1 - orientation(source, t, map)) / 2;
+    if (score < best_score) {
+      best_score = score;
+      best = t;
+    }
+  }
+  return best;
+}
+
+LandmarkMap Growth::grow(const Correspondence& matches) {
+  LandmarkMap map{std::vector<int>(source_count_, kUnmatched)};
+  for (const Match& match : matches) map.target_of_source[match.source] = match.target;
+  for (int i = 0; i < source_count_; ++i) {
+    int& target = map.target_of_source[i];
+    if (target == kUnmatched) target = best_target(i, map.target_of_source);
+  }
+  return map;
+}
+
+void Growth::revise(LandmarkMap& map) {
+  for (int i = options_.fixed; i < source_count_; ++i)
+    map.target_of_source[i] = best_target(i, map.target_of_source);
+}
+
+void Growth::measure(LandmarkMap& map) {
+  map.distortion = map.orientation = 0;
+  const auto n = static_cast<float>(source_count_);
+  for (int i = 0; i < source_count_; ++i) {
+    const auto distances = target_.distances_from(map.target_of_source[i]);
+    float sum = 0;
+    for (int j = 0; j < source_count_; ++j)
+      sum += std::abs(source_.distance(i, j) - distances[map.target_of_source[j]]);
+    map.distortion += sum / (n * n);
+    find_nearest_matched(i, map.target_of_source);
+    map.orientation += orientation(i, map.target_of_source[i], map.target_of_source) / n;
+  }
+}
+
+}  // namespace isomatch::tracked

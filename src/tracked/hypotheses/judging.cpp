@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/hypotheses/judging.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "parallel.h"
+#include "steps.h"
+#include "tracked/hypotheses/densify.h"
+
+namespace isomatch::tracked {
+namespace {
+
+/// Of landmarks that share a node the first remains.
+void drop_repeated_nodes(Correspondence& landmarks) {
+  Correspondence kept;
+  for (const Match& match : landmarks) {
+    const bool repeated = std::ranges::any_of(kept, [&](const Match& other) {
+      return other.source == match.source || other.target == match.target;
+    });
+    if (!repeated) kept.push_back(match);
+  }
+  landmarks = std::move(kept);
+}
+
+HypothesisOptions with_landmarks(const Pyramid& source, const Pyramid& target,
+                                 const Options& options) {
+  HypothesisOptions result = options.hypotheses;
+  for (const Match& match : *options.landmarks)
+    result.landmarks.push_back({nearest_node(source, match.source, source.proxy.num_measured()),
+                                nearest_node(target, match.target, target.proxy.num_measured())});
+  drop_repeated_nodes(result.landmarks);
+  const auto most = static_cast<std::size_t>(result.coarse.source_landmarks / 2);
+  result.landmarks.resize(std::min(result.landmarks.size(), most));
+  result.growth.fixed = static_cast<int>(result.landmarks.size());
+  return result;
+}
+
+/// Energy of a coarse, stiff registration that starts from a hypothesis.
+double energy(const Pyramid& source, const Pyramid& target, const Hypothesis& hypothesis,
+              const elastic::Projection& surface, const Options& options) {
+  elastic::PointCloud cloud = source.coarse.graph.cloud;
+  const std::vector<int> vertices = node_vertices(
+      target.proxy, densify(source.proxy, target.proxy, hypothesis, source.coarse.size()));
+  set_places(cloud, target.proxy, vertices);
+  elastic::Deformation deformation(cloud.positions, source.coarse.graph.neighbours);
+  return register_onto(cloud, deformation, surface, selected(target.proxy.mesh.vertices, vertices),
+                       options.judging)
+      .energy;
+}
+
+std::vector<Judged> found_and_judged(const Pyramid& source, const Pyramid& target,
+                                     const HypothesisOptions& search, const Options& options,
+                                     const Context& context) {
+  // Of the time, how much finding takes.
+  constexpr double kFound = 0.7;
+  std::vector<Hypothesis> hypotheses =
+      find_hypotheses(source.proxy, target.proxy, search, part_of(context, 0, kFound));
+  const elastic::Projection surface = projection_onto(target.proxy, options.early_projection);
+  Steps steps(context, "hypotheses", kFound, 1, static_cast<int>(hypotheses.size()));
+  std::vector<Judged> judged(hypotheses.size());
+  parallel_for(std::ssize(hypotheses), context, [&](std::ptrdiff_t k) {
+    const double e = energy(source, target, hypotheses[k], surface, options);
+    judged[k] = {std::move(hypotheses[k]), e, &source};
+    steps.take();
+  });
+  return judged;
+}
+
+}  // namespace
+
+Candidates judged_hypotheses(const Pyramid& source, const Pyramid& target, const Options& options,
+                             const Context& context) {
+  const bool guided = !options.landmarks->empty();
+  Candidates candidates;
+  candidates.possible = found_and_judged(source, target, with_landmarks(source, target, options),
+                                         options, part_of(context, 0, guided ? 0.5 : 1));
+  if (guided) {
+    // What few landmarks in unlucky places lead to must not hide the map that is found without.
+    for (Judged& free :
+         found_and_judged(source, target, options.hypotheses, options, part_of(context, 0.5, 1))) {
+      const bool possible = std::ranges::all_of(*options.landmarks, [&](const Match& landmark) {
+        return satisfies(free.hypothesis, landmark, source, target);
+      });
+      (possible ? candidates.possible : candidates.contradicting).push_back(std::move(free));
+    }
+  }
+  if (options.elastic_judging) {
+    sort_by_cost(candidates.possible);
+    sort_by_cost(candidates.contradicting);
+  }
+  return candidates;
+}
+
+bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyramid& source,
+               const Pyramid& target) {
+  // What may be missed by a right hypothesis: they are coarse, and limbs stretch.
+  constexpr float kSlack = 0.1F;
+  const int from = nearest_node(source, vertices.source, source.proxy.num_measured());
+  const int onto = nearest_node(target, vertices.target, target.proxy.num_measured());
+  float nearest = std::numeric_limits<float>::infinity();
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < hypothesis.source_nodes.size(); ++i) {
+    const float distance = source.proxy.node_distance(from, hypothesis.source_nodes[i]);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    at = i;
+  }
+  return target.proxy.node_distance(onto, hypothesis.target_nodes[at]) <= nearest + kSlack;
+}
+
+void sort_by_cost(std::vector<Judged>& judged) {
+  std::ranges::stable_sort(judged, {}, &Judged::cost);
+}
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "tracked/hypotheses/search.h"
+#include "tracked/shape/pyramid.h"
+
+namespace isomatch::tracked {
+
+/// A hypothesis and its elastic energy.
+struct Judged {
+  Hypothesis hypothesis;
+  double energy = 0;
+  /// Which of the sources it starts from.
+  const Pyramid* source = nullptr;
+
+  /// Energy alone misses limbs that are exchanged where they lie close together; distortion alone
+  /// cannot tell front from back.
+  double cost() const { return energy * hypothesis.distortion; }
+};
+
+/// Hypotheses, each list with the least cost first.
+struct Candidates {
+  std::vector<Judged> possible;
+  /// Those that were found without the landmarks and do not satisfy all of them.
+  std::vector<Judged> contradicting;
+};
+
+/// Finds hypotheses and judges them.
+Candidates judged_hypotheses(const Pyramid& source, const Pyramid& target, const Options& options,
+                             const Context& context);
+
+/// Whether the hypothesis, of which both are models, sends the first vertex near the second one.
+bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyramid& source,
+               const Pyramid& target);
+
+/// Least cost first.
+void sort_by_cost(std::vector<Judged>& judged);
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/hypotheses/node_directions.h"
+
+#include <Eigen/Geometry>
+
+namespace isomatch::tracked {
+namespace {
+
+/// The linear map from values at the vertices around a vertex to the gradient in its tangent plane,
+/// as a complex number.
+struct GradientStencil {
+  std::vector<int> vertices;
+  std::vector<std::complex<float>> weights;
+
+  std::complex<float> operator()(const float* field) const {
+    std::complex<float> sum = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) sum += field[vertices[i]] * weights[i];
+    return sum;
+  }
+};
+
+GradientStencil gradient_stencil(const Proxy& proxy, int vertex) {
+  const Point& normal = proxy.normals[vertex];
+  const Point x = normal.unitOrthogonal();
+  const Point y = normal.cross(x);
+  GradientStencil stencil;
+  for (int f : proxy.faces[vertex]) {
+    const Face& face = proxy.mesh.faces[f];
+    const auto& p = proxy.mesh.vertices;
+    const Point face_normal = (p[face[1]] - p[face[0]]).cross(p[face[2]] - p[face[0]]).normalized();
+    for (int k = 0; k < 3; ++k) {
+      const Point gradient = 0.5 * face_normal.cross(p[face[(k + 2) % 3]] - p[face[(k + 1) % 3]]);
+      stencil.vertices.push_back(face[k]);
+      stencil.weights.emplace_back(gradient.dot(x), gradient.dot(y));
+    }
+  }
+  return stencil;
+}
+
+}  // namespace
+
+NodeDirections::NodeDirections(const Proxy& proxy, std::vector<int> nodes)
+    : nodes_(std::move(nodes)),
+      oriented_(proxy.oriented),
+      distances_(nodes_.size(), nodes_.size()),
+      directions_(nodes_.size() * nodes_.size()) {
+  for (int a = 0; a < size(); ++a) {
+    const GradientStencil gradient = gradient_stencil(proxy, proxy.nodes[nodes_[a]]);
+    for (int b = 0; b < size(); ++b) {
+      distances_(a, b) = proxy.node_distance(nodes_[a], nodes_[b]);
+      const std::complex<float> uphill = gradient(proxy.distances.row(nodes_[b]).data());
+      const float norm = std::abs(uphill);
+      if (a != b && norm > 0) directions_[a * nodes_.size() + b] = -uphill / norm;
+    }
+  }
+}
+
+}  // namespace isomatch::tracked

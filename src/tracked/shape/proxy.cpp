@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/shape/proxy.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "geometry/simplify.h"
+#include "parallel.h"
+#include "shape/surface.h"
+
+namespace isomatch::tracked {
+namespace {
+
+/// Evenly spread vertices; the first does not depend on the numbering.
+std::vector<int> spread_nodes(const GeodesicGraph& graph, int count) {
+  std::vector<int> all(graph.num_vertices());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<float> distances(all.size());
+  GeodesicSearch search(graph);
+  int start = 0;
+  for (int step = 0; step < 3; ++step) {
+    search.field(start, distances);
+    start = static_cast<int>(std::ranges::max_element(distances) - distances.begin());
+  }
+  return farthest_points(graph, all, count, start);
+}
+
+void measure_distances(Proxy& proxy, int most, const Context& context) {
+  const std::size_t n = proxy.mesh.vertices.size();
+  proxy.distances.resize(std::min(proxy.num_nodes(), most), static_cast<Eigen::Index>(n));
+  parallel_for(
+      proxy.num_measured(), context, [&] { return GeodesicSearch(*proxy.graph); },
+      [&](GeodesicSearch& search, std::ptrdiff_t i) {
+        search.field(proxy.nodes[i], {proxy.distances.row(i).data(), n});
+      });
+}
+
+}  // namespace
+
+NodeGraph node_graph(const Proxy& proxy, int count) {
+  count = std::min(count, proxy.num_nodes());
+  const std::vector<int> nearest =
+      GeodesicSearch(*proxy.graph).nearest_source(std::span(proxy.nodes).first(count)).nearest;
+  NodeGraph graph;
+  graph.cloud.areas.assign(count, 0.0);
+  const std::vector<double> areas = vertex_areas(proxy.mesh);
+  for (int v = 0; v < proxy.num_vertices(); ++v) graph.cloud.areas[nearest[v]] += areas[v];
+  std::vector<std::set<int>> touching(count);
+  for (const Face& face : proxy.mesh.faces) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = nearest[face[k]], b = nearest[face[(k + 1) % 3]];
+      if (a == b) continue;
+      touching[a].insert(b);
+      touching[b].insert(a);
+    }
+  }
+  std::vector<int> offsets{0}, values;
+  for (int i = 0; i < count; ++i) {
+    graph.cloud.positions.push_back(proxy.node_position(i));
+    graph.cloud.normals.push_back(proxy.node_normal(i));
+    graph.cloud.features.push_back(proxy.features[proxy.nodes[i]]);
+    values.insert(values.end(), touching[i].begin(), touching[i].end());
+    offsets.push_back(static_cast<int>(values.size()));
+  }
+  graph.neighbours = IndexLists(std::move(offsets), std::move(values));
+  return graph;
+}
+
+Proxy make_proxy(const Detail& detail, bool oriented, const ProxyOptions& options,
+                 const Context& context) {
+  SimplifiedMesh simplified = simplify(detail.mesh, options.vertices);
+  const bool is_whole = simplified.kept.size() == detail.mesh.vertices.size();
+  auto graph =
+      is_whole ? detail.graph
+               : std::make_shared<const GeodesicGraph>(simplified.mesh, GeodesicOptions{}, context);
+  Proxy proxy{std::move(simplified.mesh),
+              std::move(simplified.kept),
+              {},
+              oriented,
+              {},
+              {},
+              {},
+              std::move(graph),
+              {}};
+  for (int v : proxy.detail_vertex) proxy.features.push_back(detail.features[v]);
+  proxy.faces = vertex_faces(proxy.mesh);
+  proxy.normals = unit_normals(proxy.mesh);
+  proxy.nodes = spread_nodes(*proxy.graph, options.nodes);
+  measure_distances(proxy, options.measured_nodes, context);
+  for (int v = 0; v < proxy.num_vertices(); ++v)
+    for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_measured()); ++k)
+      proxy.features[v].place[k] = proxy.distances(k, v);
+  return proxy;
+}
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "elastic/registration.h"
+#include "isomatch/context.h"
+#include "isomatch/mesh/topology.h"
+#include "tracked/options.h"
+#include "tracked/shape/detail.h"
+
+namespace isomatch::tracked {
+
+using FloatMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A simplified copy of a surface, scaled to unit area, on which everything global is computed, and
+/// nodes spread evenly over it. Nodes come in farthest point order, so the first k of them are
+/// evenly spread as well.
+struct Proxy {
+  /// Its vertices are a subset of the detail's. Faces are turned outwards if `oriented`.
+  Mesh mesh;
+  std::vector<int> detail_vertex;
+  IndexLists faces;
+  /// Whether it is known which side is outside.
+  bool oriented = false;
+  /// Area-weighted unit normals of the vertices.
+  std::vector<Point> normals;
+  /// Of the vertices; places refer to the first nodes.
+  std::vector<elastic::Features> features;
+  /// Proxy vertex of each node.
+  std::vector<int> nodes;
+  std::shared_ptr<const GeodesicGraph> graph;
+  /// Geodesic distances from the first nodes (rows) to all vertices (columns).
+  FloatMatrix distances;
+
+  int num_vertices() const { return mesh.num_vertices(); }
+  int num_nodes() const { return static_cast<int>(nodes.size()); }
+  int num_measured() const { return static_cast<int>(distances.rows()); }
+  const Point& node_position(int node) const { return mesh.vertices[nodes[node]]; }
+  const Point& node_normal(int node) const { return normals[nodes[node]]; }
+  /// Of a node from which distances are measured to any node.
+  float node_distance(int a, int b) const { return distances(a, nodes[b]); }
+};
+
+/// The first `count` nodes of a proxy as a graph.
+struct NodeGraph {
+  elastic::PointCloud cloud;
+  /// For each node those whose Voronoi cells touch its own, ascending.
+  IndexLists neighbours;
+};
+
+/// O(N log N).
+NodeGraph node_graph(const Proxy& proxy, int count);
+
+/// `oriented` as the surface is. O(N log N + measured nodes * vertices log vertices).
+Proxy make_proxy(const Detail& detail, bool oriented, const ProxyOptions& options,
+                 const Context& context);
+
+}  // namespace isomatch::tracked

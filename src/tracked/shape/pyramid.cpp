@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/shape/pyramid.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace isomatch::tracked {
+namespace {
+
+spectral::Samples samples_at(const Proxy& proxy, const spectral::Eigenbasis& basis,
+                             const elastic::PointCloud& cloud) {
+  spectral::Samples samples;
+  const auto n = static_cast<Eigen::Index>(cloud.areas.size());
+  samples.functions.resize(n, basis.functions.cols());
+  samples.areas.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    samples.functions.row(i) = basis.functions.row(proxy.nodes[i]);
+    samples.areas[i] = static_cast<float>(cloud.areas[i]);
+  }
+  return samples;
+}
+
+Level make_level(const Proxy& proxy, const spectral::Eigenbasis& basis, int nodes) {
+  Level level{node_graph(proxy, nodes), {}};
+  level.samples = samples_at(proxy, basis, level.graph.cloud);
+  return level;
+}
+
+/// The vertices of the detail from which places are measured, as the proxy has them.
+std::vector<int> place_vertices(const Proxy& proxy) {
+  std::vector<int> vertices;
+  for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_measured()); ++k)
+    vertices.push_back(proxy.detail_vertex[proxy.nodes[k]]);
+  return vertices;
+}
+
+}  // namespace
+
+Pyramid make_pyramid(const PreparedShape& shape, bool mirrored, const PyramidOptions& options,
+                     const Context& context) {
+  int steps = 0;
+  const auto stepped = [&](auto result) {
+    context.report(static_cast<double>(++steps) / kPyramidSteps, "shapes");
+    return result;
+  };
+  Pyramid pyramid;
+  pyramid.mirrored = mirrored;
+  pyramid.surface =
+      mirrored ? std::make_shared<const Surface>(mirror_image(*shape.surface())) : shape.surface();
+  const Surface& surface = *pyramid.surface;
+  pyramid.detail = stepped(make_detail(shape, surface, options.detail_vertices, context));
+  pyramid.proxy = stepped(make_proxy(pyramid.detail, surface.oriented, options.proxy, context));
+  set_places(pyramid.detail, place_vertices(pyramid.proxy), context);
+  pyramid.anchors = stepped(anchors(surface, pyramid.detail, context));
+  pyramid.basis = stepped(spectral::eigenbasis(pyramid.proxy.mesh, options.functions, context));
+  pyramid.coarse = make_level(pyramid.proxy, pyramid.basis, options.coarse_nodes);
+  pyramid.middle = make_level(pyramid.proxy, pyramid.basis, options.middle_nodes);
+  pyramid.fine = make_level(pyramid.proxy, pyramid.basis, options.proxy.nodes);
+  return stepped(std::move(pyramid));
+}
+
+std::shared_ptr<const Pyramid> pyramid_of(const PreparedShape& shape, bool mirrored,
+                                          const PyramidOptions& options, const Context& context) {
+  using Key = std::pair<PyramidOptions, bool>;
+  return shape.kept<Memo<Key, Pyramid>>().get(
+      {options, mirrored}, [&] { return make_pyramid(shape, mirrored, options, context); });
+}
+
+int nearest_node(const Pyramid& pyramid, int surface_vertex, int count) {
+  const Point& p = pyramid.surface->mesh.vertices[surface_vertex];
+  const auto nodes = std::span(pyramid.fine.graph.cloud.positions).first(count);
+  const auto nearest = std::ranges::min_element(
+      nodes, {}, [&](const Point& node) { return (node - p).squaredNorm(); });
+  return static_cast<int>(nearest - nodes.begin());
+}
+
+std::vector<int> node_vertices(const Proxy& proxy, std::vector<int> nodes) {
+  for (int& node : nodes) node = proxy.nodes[node];
+  return nodes;
+}
+
+std::vector<Point> selected(const std::vector<Point>& points, const std::vector<int>& indices) {
+  std::vector<Point> result;
+  for (int i : indices) result.push_back(points[i]);
+  return result;
+}
+
+elastic::Projection projection_onto(const Proxy& proxy, const elastic::ProjectionWeights& weights) {
+  return {proxy.mesh, proxy.faces, proxy.normals, proxy.features, weights};
+}
+
+void set_places(elastic::PointCloud& cloud, const Proxy& target, std::span<const int> vertices) {
+  for (std::size_t i = 0; i < cloud.features.size(); ++i)
+    cloud.features[i].place = target.features[vertices[i]].place;
+}
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/tracks/deformed_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "parallel.h"
+
+namespace isomatch::tracked {
+namespace {
+
+/// The node that is closest along the surface, for each vertex of the detail.
+std::vector<int> nearest_nodes(const Pyramid& pyramid, int nodes) {
+  std::vector<int> sources(nodes);
+  for (int i = 0; i < nodes; ++i) sources[i] = pyramid.proxy.detail_vertex[pyramid.proxy.nodes[i]];
+  return GeodesicSearch(*pyramid.detail.graph).nearest_source(sources).nearest;
+}
+
+/// Means over a node and those around it, by their distances at rest from a point.
+class Blend {
+ public:
+  Blend(const elastic::Deformation& deformation, const std::vector<elastic::Features>& features)
+      : deformation_(deformation), features_(features) {
+    for (const auto& rotation : deformation.rotations())
+      rotations_.push_back(rotation.toRotationMatrix());
+  }
+
+  /// Moves a point along with the nodes.
+  void move(int nearest, Point& position, Point& normal) const {
+    Point moved(0, 0, 0), turned(0, 0, 0);
+    for (const auto& [node, weight] : shares(nearest, position)) {
+      const Point offset = position - deformation_.rest()[node];
+      moved += weight * (rotations_[node] * offset + deformation_.positions()[node]);
+      turned += weight * (rotations_[node] * normal);
+    }
+    position = moved;
+    normal = turned.normalized();
+  }
+
+  std::array<double, elastic::kPlaces> place(int nearest, const Point& position) const {
+    std::array<double, elastic::kPlaces> mean{};
+    for (const auto& [node, weight] : shares(nearest, position))
+      for (int k = 0; k < elastic::kPlaces; ++k) mean[k] += weight * features_[node].place[k];
+    return mean;
+  }
+
+ private:
+  struct Share {
+    int node;
+    double weight;
+  };
+  /// Of the nodes around a point; the weights have sum 1.
+  std::vector<Share> shares(int nearest, const Point& position) const {
+    const auto distance = [&](int node) { return (position - deformation_.rest()[node]).norm(); };
+    std::vector<Share> shares{{nearest, distance(nearest)}};
+    for (int j : deformation_.neighbours()[nearest]) shares.push_back({j, distance(j)});
+    const double reach = 1.01 * std::ranges::max(shares, {}, &Share::weight).weight + 1e-12;
+    double total = 0;
+    for (Share& share : shares) total += share.weight = std::pow(1 - share.weight / reach, 2);
+    for (Share& share : shares) share.weight /= total;
+    return shares;
+  }
+
+  const elastic::Deformation& deformation_;
+  const std::vector<elastic::Features>& features_;
+  std::vector<Eigen::Matrix3d> rotations_;
+};
+
+}  // namespace
+
+DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformation& deformation,
+                                 const std::vector<elastic::Features>& node_features,
+                                 const Context& context) {
+  const std::vector<int> nearest = nearest_nodes(pyramid, deformation.size());
+  const Blend blend(deformation, node_features);
+  DeformedSurface result{pyramid.surface->mesh.vertices, pyramid.surface->normals,
+                         pyramid.detail.features};
+  for (std::size_t d = 0; d < nearest.size(); ++d)
+    result.features[d].place = blend.place(nearest[d], pyramid.detail.mesh.vertices[d]);
+  parallel_for(std::ssize(result.positions), context, [&](std::ptrdiff_t v) {
+    blend.move(nearest[pyramid.anchors[v]], result.positions[v], result.normals[v]);
+  });
+  return result;
+}
+
+DeformedSurface deformed_surface(const Proxy& proxy, const elastic::Deformation& deformation,
+                                 const std::vector<elastic::Features>& node_features) {
+  const auto nodes = std::span(proxy.nodes).first(deformation.size());
+  const std::vector<int> nearest = GeodesicSearch(*proxy.graph).nearest_source(nodes).nearest;
+  const Blend blend(deformation, node_features);
+  DeformedSurface result{proxy.mesh.vertices, proxy.normals, proxy.features};
+  for (std::size_t v = 0; v < nearest.size(); ++v) {
+    result.features[v].place = blend.place(nearest[v], result.positions[v]);
+    blend.move(nearest[v], result.positions[v], result.normals[v]);
+  }
+  return result;
+}
+
+}  // namespace isomatch::tracked

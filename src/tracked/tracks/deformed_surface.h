@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "elastic/deformation.h"
+#include "isomatch/context.h"
+#include "tracked/shape/pyramid.h"
+
+namespace isomatch::tracked {
+
+/// A deformed surface: positions and normals of its vertices, and, of those that have features, the
+/// relief at rest and the places on the target where they went.
+struct DeformedSurface {
+  std::vector<Point> positions, normals;
+  std::vector<elastic::Features> features;
+};
+
+/// Carries a deformation of the first nodes of a pyramid, and the places where they went, over to
+/// all vertices of its surface; features are those of the detail. O(N log N).
+DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformation& deformation,
+                                 const std::vector<elastic::Features>& node_features,
+                                 const Context& context);
+
+/// The same for all vertices of a proxy.
+DeformedSurface deformed_surface(const Proxy& proxy, const elastic::Deformation& deformation,
+                                 const std::vector<elastic::Features>& node_features);
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/tracks/dense_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "elastic/nearest_point.h"
+#include "geometry/descent.h"
+#include "geometry/foot.h"
+#include "parallel.h"
+#include "tracked/tracks/deformed_surface.h"
+
+namespace isomatch::tracked {
+namespace {
+
+/// A surface, as it is or deformed, one of which is to be mapped to the other.
+struct Side {
+  const Pyramid& pyramid;
+  const DeformedSurface& deformed;
+};
+
+/// For each vertex of the detail of `from` the closest one of the detail of `onto` in position,
+/// normal and features, as vertices of the surface.
+std::vector<int> closest_details(const Side& from, const Side& onto,
+                                 const elastic::ProjectionWeights& weights,
+                                 const Context& context) {
+  const std::vector<int>& queries = from.pyramid.detail.surface_vertex;
+  const std::vector<int>& vertices = onto.pyramid.detail.surface_vertex;
+  const elastic::NearestPoint nearest(selected(onto.deformed.positions, vertices),
+                                      selected(onto.deformed.normals, vertices),
+                                      onto.deformed.features, weights);
+  std::vector<int> closest(queries.size());
+  parallel_for(std::ssize(queries), context, [&](std::ptrdiff_t d) {
+    closest[d] = vertices[nearest(from.deformed.positions[queries[d]],
+                                  from.deformed.normals[queries[d]], from.deformed.features[d])];
+  });
+  return closest;
+}
+
+/// Points of `onto` that are closest in space, found from those of the details.
+SurfacePoints project(const Side& from, const Side& onto, const elastic::ProjectionWeights& weights,
+                      const Context& context) {
+  const std::vector<int> starts = closest_details(from, onto, weights, context);
+  const Surface& surface = *onto.pyramid.surface;
+  const Mesh mesh{onto.deformed.positions, surface.mesh.faces};
+  SurfaceMap map(from.deformed.positions.size());
+  parallel_for(std::ssize(map), context, [&](std::ptrdiff_t v) {
+    const Point& p = from.deformed.positions[v];
+    const int vertex = elastic::descend(starts[from.pyramid.anchors[v]], p, mesh, surface.faces);
+    const elastic::Foot foot =
+        elastic::foot_around(vertex, p, mesh, surface.faces, onto.deformed.normals);
+    map[v] = {foot.face, foot.weights};
+  });
+  return SurfacePoints(std::move(map));
+}
+
+/// Moves what is near a landmark along with it, so that the landmark arrives.
+void bend_to_landmarks(const Pyramid& source, const Pyramid& target,
+                       const SurfaceMatches& landmarks, DeformedSurface& deformed) {
+  constexpr double kReach = 0.05;
+  std::vector<Point> moves;
+  for (const Match& match : *landmarks)
+    moves.push_back(target.surface->mesh.vertices[match.target] - deformed.positions[match.source]);
+  const std::vector<Point>& rest = source.surface->mesh.vertices;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    for (std::size_t k = 0; k < landmarks->size(); ++k) {
+      const double distance = (rest[v] - rest[(*landmarks)[k].source]).norm() / kReach;
+      deformed.positions[v] += std::exp(-distance * distance) * moves[k];
+    }
+  }
+}
+
+}  // namespace
+
+DenseMap dense_map(const Track& track, const Pyramid& target, const Options& options,
+                   const Context& context) {
+  const Pyramid& source = *track.judged.source;
+  const Surface& goal = *target.surface;
+  DeformedSurface deformed =
+      deformed_surface(source, track.deformation, track.cloud.features, context);
+  bend_to_landmarks(source, target, options.landmarks, deformed);
+  const DeformedSurface rest{goal.mesh.vertices, goal.normals, target.detail.features};
+  const Side from{source, deformed}, onto{target, rest};
+  DenseMap map{project(from, onto, options.fine_projection, context),
+               project(onto, from, options.fine_projection, context),
+               std::move(deformed.positions)};
+  for (const Match& match : *options.landmarks) {
+    const elastic::Foot foot = elastic::foot_around(match.target, goal.mesh.vertices[match.target],
+                                                    goal.mesh, goal.faces, goal.normals);
+    (*map.source_to_target)[match.source] = {foot.face, foot.weights};
+  }
+  return map;
+}
+
+}  // namespace isomatch::tracked

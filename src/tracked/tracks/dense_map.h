@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include "shape/numbers.h"
+#include "tracked/tracks/refinement.h"
+
+namespace isomatch::tracked {
+
+/// A map between all vertices of two surfaces.
+struct DenseMap {
+  SurfacePoints source_to_target, target_to_source;
+  /// The source's vertices after registration.
+  std::vector<Point> registered;
+};
+
+/// Carries a track over to all vertices of both surfaces. O(N log N).
+DenseMap dense_map(const Track& track, const Pyramid& target, const Options& options,
+                   const Context& context);
+
+}  // namespace isomatch::tracked

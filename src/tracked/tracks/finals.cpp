@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/tracks/finals.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "parallel.h"
+#include "steps.h"
+#include "tracked/tracks/reversal.h"
+
+namespace isomatch::tracked {
+namespace {
+
+/// Least cost first, the same map once.
+std::vector<Track> ranked(std::vector<Track> tracks, const Options& options) {
+  if (options.elastic_judging) std::ranges::stable_sort(tracks, {}, &Track::cost);
+  std::vector<Track> different;
+  for (Track& track : tracks) {
+    const bool known = std::ranges::any_of(different, [&](const Track& other) {
+      return other.judged.source == track.judged.source &&
+             difference(track, other) < options.hypotheses.same_difference;
+    });
+    if (!known) different.push_back(std::move(track));
+  }
+  return different;
+}
+
+constexpr const char* kStage = "refinement";
+
+/// `step` of each of the first so many, in parallel.
+template <class Start, class Step>
+std::vector<Track> all_tracks(const std::vector<Start>& starts, int most, const Context& context,
+                              const Step& step) {
+  const int count = std::min(static_cast<int>(starts.size()), most);
+  Steps steps(context, kStage, 0, 1, count);
+  std::vector<std::optional<Track>> made(count);
+  parallel_for(count, context, [&](std::ptrdiff_t i) {
+    made[i].emplace(step(starts[i]));
+    steps.take();
+  });
+  std::vector<Track> tracks;
+  for (auto& track : made) tracks.push_back(std::move(*track));
+  return tracks;
+}
+
+bool same_origin(const Judged& a, const Judged& b) {
+  return a.source == b.source && a.hypothesis.target_nodes == b.hypothesis.target_nodes;
+}
+
+/// Those that fit best and, since a map may be torn for a while on the middle level, the one that
+/// fitted best before.
+std::vector<const Track*> finalists_of(const std::vector<Track>& middle, const Judged& first,
+                                       int most) {
+  std::vector<const Track*> finalists;
+  for (std::size_t k = 0; k < middle.size(); ++k)
+    if (std::cmp_less(k, most) || same_origin(middle[k].judged, first))
+      finalists.push_back(&middle[k]);
+  return finalists;
+}
+
+/// How nearly as well as the winner the best other map fits.
+double ambiguity(const Track& winner, const std::vector<Track>& tracks) {
+  constexpr double kPerfect = 1e-5;  // Costs below this differ by the meshing alone.
+  double own = std::numeric_limits<double>::infinity(), rival = own;
+  for (const Track& track : tracks) {
+    double& least = same_origin(track.judged, winner.judged) ? own : rival;
+    least = std::min(least, kPerfect + track.cost());
+  }
+  return std::clamp(own / rival, 0.0, 1.0);
+}
+
+}  // namespace
+
+Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, const Options& options,
+                  const Context& context) {
+  // Where of the whole the tracks are through the middle and through the fine level.
+  constexpr double kMiddle = 0.4, kFine = 0.8;
+  const Refinement tracking(target, options, context);
+  const int finalists = std::max(options.finalists, options.different_maps);
+  const int entrants =
+      options.different_maps > 1 ? static_cast<int>(judged.size()) : options.entrants;
+  context.check_stop();
+  const std::vector<Track> middle =
+      ranked(all_tracks(judged, entrants, part_of(context, 0, kMiddle),
+                        [&](const Judged& j) { return tracking.begin(j); }),
+             options);
+  context.check_stop();
+  Finals finals;
+  finals.middle_cost = middle.front().cost();
+  const std::vector<const Track*> last = finalists_of(middle, judged.front(), finalists);
+  finals.tracks =
+      ranked(all_tracks(last, static_cast<int>(last.size()), part_of(context, kMiddle, kFine),
+                        [&](const Track* track) { return tracking.finish(*track); }),
+             options);
+  finals.ambiguity =
+      ambiguity(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks : middle);
+  if (std::cmp_greater(finals.tracks.size(), options.different_maps))
+    finals.tracks.erase(finals.tracks.begin() + options.different_maps, finals.tracks.end());
+  context.check_stop();
+  if (options.rounds == 0) return finals;
+  Steps steps(context, kStage, kFine, 1, static_cast<int>(finals.tracks.size()));
+  for (Track& track : finals.tracks) {
+    settle_with_reverse(track, tracking, target, options, context);
+    steps.take();
+  }
+  return finals;
+}
+
+SurfaceMatches contradicted_landmarks(const Pyramid& target,
+                                      const std::vector<Judged>& contradicting, double middle_cost,
+                                      Options options, const Context& context) {
+  // True landmarks that are off by an edge cost less than this.
+  constexpr double kFarBetter = 2;
+  if (contradicting.empty()) return {};
+  const Context silent{.threads = context.threads, .progress = {}, .stop = context.stop};
+  const SurfaceMatches landmarks = std::exchange(options.landmarks, {});
+  const Refinement tracking(target, options, silent);
+  std::optional<Correspondence> fewest;
+  for (const Track& track :
+       all_tracks(contradicting, options.entrants, silent,
+                  [&](const Judged& judged) { return tracking.begin(judged); })) {
+    if (kFarBetter * track.cost() > middle_cost) continue;
+    Correspondence contradicted;
+    for (const Match& landmark : *landmarks)
+      if (!satisfies(track.judged.hypothesis, landmark, *track.judged.source, target))
+        contradicted.push_back(landmark);
+    if (!fewest || contradicted.size() < fewest->size()) fewest = std::move(contradicted);
+  }
+  return SurfaceMatches(fewest.value_or(Correspondence()));
+}
+
+}  // namespace isomatch::tracked

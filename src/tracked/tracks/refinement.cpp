@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/tracks/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tracked/hypotheses/densify.h"
+#include "tracked/tracks/mending.h"
+
+namespace isomatch::tracked {
+namespace {
+
+/// Where the nodes nearest to landmarks belong: beside these, as the deformation turns them. Of
+/// landmarks that share a node the first counts.
+std::vector<elastic::Pin> landmark_pins(const Pyramid& source, const Pyramid& target,
+                                        const elastic::Deformation& deformation,
+                                        const SurfaceMatches& landmarks) {
+  std::vector<elastic::Pin> pins;
+  for (const Match& match : *landmarks) {
+    const int node = nearest_node(source, match.source, deformation.size());
+    if (std::ranges::count(pins, node, &elastic::Pin::point) > 0) continue;
+    const Point beside =
+        source.proxy.node_position(node) - source.surface->mesh.vertices[match.source];
+    pins.push_back({node, target.surface->mesh.vertices[match.target] +
+                              deformation.rotations()[node] * beside});
+  }
+  return pins;
+}
+
+/// What one registration hands on to the next: the target vertex nearest to each foot.
+std::vector<int> foot_vertices(const Mesh& mesh, const std::vector<elastic::Foot>& feet) {
+  std::vector<int> vertices;
+  for (const elastic::Foot& foot : feet) {
+    const auto corner = std::ranges::max_element(foot.weights) - foot.weights.begin();
+    vertices.push_back(mesh.faces[foot.face][corner]);
+  }
+  return vertices;
+}
+
+double between(double first, double last, double progress) {
+  return first * std::pow(last / first, progress);
+}
+
+}  // namespace
+
+Refinement::Refinement(const Pyramid& target, const Options& options, const Context& context)
+    : target_(target),
+      options_(options),
+      context_(context),
+      early_surface_(projection_onto(target.proxy, options.early_projection)),
+      middle_surface_(projection_onto(target.proxy, options.middle_projection)),
+      fine_surface_(projection_onto(target.proxy, options.fine_projection)) {}
+
+Track Refinement::begin(const Judged& judged) const {
+  const Level& middle = judged.source->middle;
+  Track track = registered(judged, middle, target_.middle);
+  for (int round = 0; round < options_.middle_rounds(); ++round) {
+    track.vertices = spectral_step(track, middle, round);
+    run_round(track, round);
+  }
+  if (options_.middle_rounds() > 0) mend(track);
+  return track;
+}
+
+/// Moves nodes that are out of place, if the surfaces fit better for it.
+void Refinement::mend(Track& track) const {
+  const auto nodes = std::span(target_.proxy.nodes).first(track.target->size());
+  const std::vector<int> nearest =
+      GeodesicSearch(*target_.proxy.graph).nearest_source(nodes).nearest;
+  std::vector<int> places;
+  for (int vertex : track.vertices) places.push_back(nearest[vertex]);
+  const std::vector<int> better = mended(track.judged.source->proxy, target_.proxy,
+                                         track.cloud.areas, places, track.target->size());
+  if (better == places) return;
+  Track other = track;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (better[i] != places[i]) other.vertices[i] = nodes[better[i]];
+  advance(other, middle_surface_, options_.mending);
+  run_round(other, options_.middle_rounds() - 1);
+  if (other.cost() < track.cost()) track = std::move(other);
+}
+
+Track Refinement::finish(const Track& middle) const {
+  const Level& fine = middle.judged.source->fine;
+  if (options_.rounds == 0) return registered(middle.judged, fine, target_.fine);
+  const int first = options_.middle_rounds();
+  return fine_rounds(middle.judged, spectral_step(middle, fine, first), first);
+}
+
+Track Refinement::fine_rounds(const Judged& judged, std::vector<int> vertices, int first) const {
+  const Level& fine = judged.source->fine;
+  Track track = enter(judged, fine, target_.fine, std::move(vertices));
+  run_round(track, first);
+  for (int round = first + 1; round < options_.rounds; ++round) {
+    track.vertices = spectral_step(track, fine, round);
+    run_round(track, round);
+  }
+  return track;
+}
+
+void Refinement::settle(Track& track, std::span<const Point> anchors) const {
+  advance(track, fine_surface_, options_.settling, anchors);
+}
+
+/// The hypothesis after a first registration.
+Track Refinement::registered(const Judged& judged, const Level& source, const Level& target) const {
+  Track track = enter(judged, source, target,
+                      node_vertices(target_.proxy, densify(judged.source->proxy, target_.proxy,
+                                                           judged.hypothesis, source.size())));
+  advance(track, early_surface_, options_.first_registration);
+  return track;
+}
+
+Track Refinement::enter(const Judged& judged, const Level& source, const Level& target,
+                        std::vector<int> vertices) {
+  return {judged,
+          &source,
+          &target,
+          source.graph.cloud,
+          std::move(vertices),
+          {source.graph.cloud.positions, source.graph.neighbours},
+          {}};
+}
+
+/// The map that a spectral step makes of a track, for the nodes of `wanted`.
+std::vector<int> Refinement::spectral_step(const Track& track, const Level& wanted,
+                                           int round) const {
+  context_.check_stop();
+  return refine(track.source->samples, track.target->samples, target_.basis,
+                {track.vertices, nearest_nodes(track)}, wanted.samples, basis_size(round));
+}
+
+bool Refinement::is_fine(const Track& track) { return track.source == &track.judged.source->fine; }
+
+std::vector<int> Refinement::nearest_nodes(const Track& track) const {
+  const elastic::Deformation& deformation = track.deformation;
+  std::vector<Point> normals;
+  for (int i = 0; i < deformation.size(); ++i)
+    normals.push_back(deformation.rotations()[i] * track.cloud.normals[i]);
+  const elastic::NearestPoint nearest_source(
+      deformation.positions(), normals, track.cloud.features,
+      is_fine(track) ? options_.fine_projection : options_.middle_projection);
+  const elastic::PointCloud& target = track.target->graph.cloud;
+  std::vector<int> nearest;
+  for (int i = 0; i < track.target->size(); ++i)
+    nearest.push_back(nearest_source(target.positions[i], target.normals[i], target.features[i]));
+  return nearest;
+}
+
+void Refinement::run_round(Track& track, int round) const {
+  elastic::RegistrationOptions step = options_.alternation;
+  step.first_length = step.last_length =
+      between(step.first_length, step.last_length, progress(round));
+  advance(track, is_fine(track) ? fine_surface_ : middle_surface_, step);
+}
+
+void Refinement::advance(Track& track, const elastic::Projection& onto,
+                         const elastic::RegistrationOptions& step) const {
+  set_places(track.cloud, target_.proxy, track.vertices);
+  advance(track, onto, step, selected(target_.proxy.mesh.vertices, track.vertices));
+}
+
+void Refinement::advance(Track& track, const elastic::Projection& onto,
+                         const elastic::RegistrationOptions& step,
+                         std::span<const Point> anchors) const {
+  context_.check_stop();
+  track.registration = register_onto(
+      track.cloud, track.deformation, onto, anchors, step,
+      landmark_pins(*track.judged.source, target_, track.deformation, options_.landmarks));
+  track.vertices = foot_vertices(target_.proxy.mesh, track.registration.feet);
+  set_places(track.cloud, target_.proxy, track.vertices);
+}
+
+double Refinement::progress(int round) const {
+  return static_cast<double>(round) / std::max(1, options_.rounds - 1);
+}
+
+int Refinement::basis_size(int round) const {
+  return static_cast<int>(
+      std::lround(between(options_.first_basis, options_.pyramid.functions, progress(round))));
+}
+
+double difference(const Track& a, const Track& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.cloud.areas.size(); ++i)
+    sum += a.cloud.areas[i] *
+           (a.registration.feet[i].position - b.registration.feet[i].position).squaredNorm();
+  return std::sqrt(sum);
+}
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "isomatch/context.h"
+#include "tracked/hypotheses/judging.h"
+
+namespace isomatch::tracked {
+
+/// A hypothesis on its way to a map.
+struct Track {
+  Judged judged;
+  /// The level that it is on.
+  const Level* source;
+  const Level* target;
+  /// Nodes of the source, with the places on the target where they are.
+  elastic::PointCloud cloud;
+  /// The target's proxy vertices that are nearest to the nodes.
+  std::vector<int> vertices;
+  elastic::Deformation deformation;
+  elastic::Registration registration;
+
+  /// How badly the surfaces fit, to be compared on one level. The energy of the fine registration
+  /// is large where a map is torn, the distance where it leaves bulges of the target uncovered.
+  /// A mirror image has to fit clearly better, since shapes that are nearly symmetric fit their own
+  /// as well as themselves.
+  double cost() const {
+    constexpr double kMirrorPrice = 1.1;
+    return (judged.source->mirrored ? kMirrorPrice : 1) * registration.energy *
+           registration.distance;
+  }
+};
+
+/// Carries hypotheses on to maps onto one target. Spectral steps know distances along the surface,
+/// registrations know its shape in space; in turn they correct each other, from smooth to fine.
+class Refinement {
+ public:
+  /// Keeps references to the first two. What it does throws `Cancelled` soon after a stop.
+  Refinement(const Pyramid& target, const Options& options, const Context& context = {});
+
+  /// The hypothesis after the rounds on the middle level, mended if it fits better then.
+  Track begin(const Judged& judged) const;
+  /// The track after the remaining rounds, on the fine level.
+  Track finish(const Track& middle) const;
+  /// The last rounds of a track on the fine level, `first` and later ones, that begins at
+  /// `vertices`.
+  Track fine_rounds(const Judged& judged, std::vector<int> vertices, int first) const;
+  /// A last registration of a track on the fine level, close to `anchors`.
+  void settle(Track& track, std::span<const Point> anchors) const;
+  /// For each target node the nearest node of the deformed source.
+  std::vector<int> nearest_nodes(const Track& track) const;
+
+ private:
+  static Track enter(const Judged& judged, const Level& source, const Level& target,
+                     std::vector<int> vertices);
+  Track registered(const Judged& judged, const Level& source, const Level& target) const;
+  void mend(Track& track) const;
+  std::vector<int> spectral_step(const Track& track, const Level& wanted, int round) const;
+  static bool is_fine(const Track& track);
+  void run_round(Track& track, int round) const;
+  void advance(Track& track, const elastic::Projection& onto,
+               const elastic::RegistrationOptions& step) const;
+  void advance(Track& track, const elastic::Projection& onto,
+               const elastic::RegistrationOptions& step, std::span<const Point> anchors) const;
+  double progress(int round) const;
+  int basis_size(int round) const;
+
+  const Pyramid& target_;
+  const Options& options_;
+  Context context_;
+  elastic::Projection early_surface_, middle_surface_, fine_surface_;
+};
+
+/// Root mean square distance between the images of the nodes, on one level.
+double difference(const Track& a, const Track& b);
+
+}  // namespace isomatch::tracked
