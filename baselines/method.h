@@ -17,7 +17,7 @@
 /// are deterministic for any number of threads.
 namespace isomatch::baselines {
 
-/// One of the maps that a method makes of a pair, in the numbers of the surfaces.
+/// One of the maps that a method makes of a pair.
 struct NamedMap {
   std::string name;
   Correspondence matches;

@@ -7,15 +7,35 @@
 
 #include "gmds/gmds.h"
 #include "isomatch/error.h"
-#include "isomatch/methods/distortion.h"
 #include "isomatch/methods/paper.h"
 #include "isomatch/methods/tracked.h"
 #include "method.h"
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
 #include "spectral/spectral.h"
 #include "zoomout/zoomout.h"
 
 namespace isomatch::baselines {
 namespace {
+
+/// What rivals work on.
+struct Both {
+  Both(const Shape& source_shape, const Shape& target_shape, const Context& context)
+      : source(source_shape.prepared().metric(context)),
+        target(target_shape.prepared().metric(context)) {}
+
+  /// A map between the surfaces' vertices, in the numbers of the meshes.
+  Correspondence to_input(const VertexMap& source_to_target) const {
+    return isomatch::to_input(source.surface(), target.surface(),
+                              SurfaceMatches(to_correspondence(source_to_target)));
+  }
+
+  MetricSurface source, target;
+};
+
+Correspondence nearest_matches(const Shape& target, const SurfaceMap& map) {
+  return to_correspondence(nearest_vertices(target.mesh(), map));
+}
 
 /// Matches between bases as ones between vertices.
 Correspondence between_vertices(const PaperResult& result, const Correspondence& matches) {
@@ -48,12 +68,10 @@ MethodResult run_paper(const Shape& source, const Shape& target, const Context& 
 }
 
 MethodResult run_tracked(const Shape& source, const Shape& target, const Context& context) {
-  const TrackedResult result = match_tracked(source.surface, target.surface, {}, context);
+  const TrackedResult result = match_tracked(source, target, {}, context);
   const TrackedMap& best = result.maps.front();
-  const Correspondence nearest =
-      to_correspondence(nearest_vertices(target.surface.mesh, best.source_to_target));
-  return {{{kFinalMap, nearest, best.source_to_target},
-           {kManyToMany, matches(source.surface, target.surface, best), {}}},
+  return {{{kFinalMap, nearest_matches(target, best.source_to_target), best.source_to_target},
+           {kManyToMany, matches(source, target, best), {}}},
           {},
           result.times};
 }
@@ -62,29 +80,33 @@ MethodResult run_tracked(const Shape& source, const Shape& target, const Context
 MethodResult run_spectral(const Shape& source, const Shape& target, const Context& context) {
   constexpr int kLevel = 4;
   const JointSampling bases = sample_jointly(source, target, kLevel, {}, context);
-  const SpectralResult result = match_spectral(source, target, bases, {}, context);
+  const Both both(source, target, context);
+  const JointSampling on_surfaces{*on_surface(both.source.surface(), bases.source, "source base"),
+                                  *on_surface(both.target.surface(), bases.target, "target base")};
+  const SpectralResult result = match_spectral(both.source, both.target, on_surfaces, {}, context);
   Correspondence between_bases;
   for (std::size_t i = 0; i < bases.source.size(); ++i)
     between_bases.push_back({bases.source[i], bases.target[result.base_matches[i]]});
   std::ranges::sort(between_bases);
-  return {
-      {{kFinalMap, to_correspondence(result.source_to_target), {}}, {"bases", between_bases, {}}},
-      {},
-      {}};
+  return {{{kFinalMap, both.to_input(result.source_to_target), {}}, {"bases", between_bases, {}}},
+          {},
+          {}};
 }
 
 MethodResult run_gmds(const Shape& source, const Shape& target, const Context& context) {
-  GmdsResult result = match_gmds(source, target, {}, context);
-  SurfaceMap points(source.num_vertices());
+  const Both both(source, target, context);
+  GmdsResult result = match_gmds(both.source, both.target, {}, context);
+  SurfaceMap points(both.source.num_vertices());
   for (std::size_t i = 0; i < result.points.size(); ++i)
     points[result.source_vertices[i]] = result.points[i];
-  const Correspondence nearest = to_correspondence(nearest_vertices(target.surface.mesh, points));
-  return {{{kFinalMap, nearest, std::move(points)}}, {}, std::move(result.times)};
+  SurfaceMap map = to_input(both.source.surface(), both.target.surface(), SurfacePoints(points));
+  return {{{kFinalMap, nearest_matches(target, map), std::move(map)}}, {}, std::move(result.times)};
 }
 
 MethodResult run_zoomout(const Shape& source, const Shape& target, const Context& context) {
-  const ZoomOutResult result = match_zoomout(source, target, {}, context);
-  return {{{kFinalMap, to_correspondence(result.source_to_target), {}}}, {}, result.times};
+  const Both both(source, target, context);
+  const ZoomOutResult result = match_zoomout(both.source, both.target, {}, context);
+  return {{{kFinalMap, both.to_input(result.source_to_target), {}}}, {}, result.times};
 }
 
 }  // namespace

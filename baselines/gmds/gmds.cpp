@@ -17,22 +17,22 @@ namespace isomatch::baselines {
 namespace {
 
 /// Evenly spread vertices, the first of which is at an end of the surface.
-std::vector<int> spread_vertices(const Shape& shape, int count) {
+std::vector<int> spread_vertices(const MetricSurface& shape, int count) {
   std::vector<int> vertices(shape.num_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
-  const std::vector<int> two = farthest_points(shape.graph, vertices, 2);
-  return farthest_points(shape.graph, vertices, count, two.back());
+  const std::vector<int> two = farthest_points(shape.graph(), vertices, 2);
+  return farthest_points(shape.graph(), vertices, count, two.back());
 }
 
 /// Distances between `vertices`, relative to the largest geodesic.
-Eigen::MatrixXd distances_between(const Shape& shape, const std::vector<int>& vertices,
+Eigen::MatrixXd distances_between(const MetricSurface& shape, const std::vector<int>& vertices,
                                   const Context& context) {
-  const std::vector<float> fields = geodesic_fields(shape.graph, vertices, context);
+  const std::vector<float> fields = geodesic_fields(shape.graph(), vertices, context);
   const Eigen::Index n = std::ssize(vertices);
   Eigen::MatrixXd distances(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j)
-      distances(i, j) = fields[i * shape.num_vertices() + vertices[j]] / shape.max_geodesic;
+      distances(i, j) = fields[i * shape.num_vertices() + vertices[j]] / shape.max_geodesic();
   }
   return (distances + distances.transpose()) / 2;
 }
@@ -61,8 +61,9 @@ void refine(const Stress& stress, int count, SurfaceMap& points, const GmdsOptio
 }
 
 /// The least stressed of several optimised starts, after one refinement.
-SurfaceMap best_start(const Shape& target, const Stress& stress, const Eigen::MatrixXd& wanted,
-                      const GmdsOptions& options, const Context& context) {
+SurfaceMap best_start(const MetricSurface& target, const Stress& stress,
+                      const Eigen::MatrixXd& wanted, const GmdsOptions& options,
+                      const Context& context) {
   const std::vector<int> candidates = spread_vertices(target, options.start_candidates);
   const auto assignments = coarse_assignments(wanted, options.coarsest_points,
                                               distances_between(target, candidates, context),
@@ -94,8 +95,8 @@ void GmdsOptions::validate() const {
     throw InvalidInput("max_sweeps must be at least 1, tolerance positive");
 }
 
-GmdsResult match_gmds(const Shape& source, const Shape& target, const GmdsOptions& options,
-                      const Context& context) {
+GmdsResult match_gmds(const MetricSurface& source, const MetricSurface& target,
+                      const GmdsOptions& options, const Context& context) {
   options.validate();
   if (target.num_vertices() > options.max_target_vertices)
     throw InvalidInput(fmt::format(

@@ -6,8 +6,8 @@
 
 #include "isomatch/context.h"
 #include "isomatch/maps/surface_map.h"
-#include "isomatch/mesh/shape.h"
 #include "isomatch/stage_times.h"
+#include "shape/metric_surface.h"
 
 namespace isomatch::baselines {
 
@@ -49,7 +49,7 @@ struct GmdsResult {
 /// coarsest level begins at the best of several assignments found by beam search. Distances are
 /// relative to the largest on each shape. Cannot tell a shape from its mirror image. Throws
 /// `InvalidInput` if an option is out of range or the target has too many vertices. O(N^2 log N).
-GmdsResult match_gmds(const Shape& source, const Shape& target, const GmdsOptions& options = {},
-                      const Context& context = {});
+GmdsResult match_gmds(const MetricSurface& source, const MetricSurface& target,
+                      const GmdsOptions& options = {}, const Context& context = {});
 
 }  // namespace isomatch::baselines

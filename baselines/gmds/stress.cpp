@@ -36,12 +36,12 @@ Eigen::Vector3d minimum_on_triangle(const Eigen::Matrix3d& form) {
 
 }  // namespace
 
-DistanceTable::DistanceTable(const Shape& shape, const Context& context)
+DistanceTable::DistanceTable(const MetricSurface& shape, const Context& context)
     : n_(shape.num_vertices()) {
   std::vector<int> vertices(n_);
   std::iota(vertices.begin(), vertices.end(), 0);
-  values_ = geodesic_fields(shape.graph, vertices, context);
-  for (float& value : values_) value /= static_cast<float>(shape.max_geodesic);
+  values_ = geodesic_fields(shape.graph(), vertices, context);
+  for (float& value : values_) value /= static_cast<float>(shape.max_geodesic());
 }
 
 double DistanceTable::operator()(const Mesh& mesh, const SurfacePoint& a,
@@ -60,18 +60,18 @@ struct Stress::Place {
   double stress = std::numeric_limits<double>::infinity();
 };
 
-Stress::Stress(const Shape& target, const DistanceTable& distances, const Eigen::MatrixXd& wanted)
+Stress::Stress(const MetricSurface& target, const DistanceTable& distances,
+               const Eigen::MatrixXd& wanted)
     : target_(target),
       distances_(distances),
       wanted_(wanted),
-      faces_of_vertex_(vertex_faces(target.surface.mesh)) {}
+      faces_of_vertex_(vertex_faces(target.mesh())) {}
 
 double Stress::total(const SurfaceMap& points) const {
   double sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double difference =
-          distances_(target_.surface.mesh, points[i], points[j]) - wanted_(i, j);
+      const double difference = distances_(target_.mesh(), points[i], points[j]) - wanted_(i, j);
       sum += difference * difference;
     }
   }
@@ -80,13 +80,13 @@ double Stress::total(const SurfaceMap& points) const {
 
 SurfacePoint Stress::at_vertex(int vertex) const {
   SurfacePoint point{faces_of_vertex_[vertex].front(), {}};
-  const Face& face = target_.surface.mesh.faces[point.face];
+  const Face& face = target_.mesh().faces[point.face];
   point.weights[std::ranges::find(face, vertex) - face.begin()] = 1;
   return point;
 }
 
 SurfacePoint Stress::best_vertex(const SurfaceMap& points, int moving) const {
-  const Mesh& mesh = target_.surface.mesh;
+  const Mesh& mesh = target_.mesh();
   std::vector<double> stress(mesh.vertices.size(), 0.0);
   for (int j = 0; j < std::ssize(points); ++j) {
     if (j == moving) continue;
@@ -103,7 +103,7 @@ SurfacePoint Stress::best_vertex(const SurfaceMap& points, int moving) const {
 }
 
 Eigen::MatrixX3d Stress::corner_distances(const SurfaceMap& points, int moving, int face) const {
-  const Mesh& mesh = target_.surface.mesh;
+  const Mesh& mesh = target_.mesh();
   Eigen::MatrixX3d differences(points.size() - 1, 3);
   Eigen::Index row = 0;
   for (int j = 0; j < std::ssize(points); ++j) {
@@ -130,7 +130,7 @@ Stress::Place Stress::best_on_face(const SurfaceMap& points, int moving, int fac
 }
 
 void Stress::improve(SurfaceMap& points, int moving) const {
-  const Mesh& mesh = target_.surface.mesh;
+  const Mesh& mesh = target_.mesh();
   Place best = best_on_face(points, moving, points[moving].face);
   std::set<int> seen{points[moving].face};
   for (bool moved = true; moved;) {

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "isomatch/maps/surface_map.h"
-#include "isomatch/mesh/shape.h"
 #include "isomatch/mesh/topology.h"
+#include "shape/metric_surface.h"
 
 namespace isomatch::baselines {
 
 /// All distances between the vertices of a shape, relative to the largest.
 class DistanceTable {
  public:
-  DistanceTable(const Shape& shape, const Context& context);
+  DistanceTable(const MetricSurface& shape, const Context& context);
 
   double operator()(int a, int b) const { return values_[static_cast<std::size_t>(a) * n_ + b]; }
   /// Between points on triangles, linear in the weights of either.
@@ -30,7 +30,8 @@ class Stress {
  public:
   /// `wanted` holds the distances between the source points, relative to the largest geodesic; as
   /// many of its first rows count as there are points.
-  Stress(const Shape& target, const DistanceTable& distances, const Eigen::MatrixXd& wanted);
+  Stress(const MetricSurface& target, const DistanceTable& distances,
+         const Eigen::MatrixXd& wanted);
 
   /// The sum of squared differences over all pairs.
   double total(const SurfaceMap& points) const;
@@ -54,7 +55,7 @@ class Stress {
   Eigen::MatrixX3d corner_distances(const SurfaceMap& points, int moving, int face) const;
   Place best_on_face(const SurfaceMap& points, int moving, int face) const;
 
-  const Shape& target_;
+  const MetricSurface& target_;
   const DistanceTable& distances_;
   const Eigen::MatrixXd& wanted_;
   IndexLists faces_of_vertex_;

@@ -12,8 +12,9 @@ namespace {
 using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Affinities of the bases (rows) to all vertices (columns).
-Eigen::MatrixXd affinities(const Shape& shape, std::span<const int> bases, const Context& context) {
-  const std::vector<float> fields = geodesic_fields(shape.graph, bases, context);
+Eigen::MatrixXd affinities(const MetricSurface& shape, std::span<const int> bases,
+                           const Context& context) {
+  const std::vector<float> fields = geodesic_fields(shape.graph(), bases, context);
   const Eigen::MatrixXd g =
       Eigen::Map<const RowMajor>(fields.data(), std::ssize(bases), shape.num_vertices())
           .cast<double>();
@@ -24,7 +25,7 @@ Eigen::MatrixXd affinities(const Shape& shape, std::span<const int> bases, const
 
 }  // namespace
 
-Embedding embed(const Shape& shape, std::span<const int> bases, int dimensions,
+Embedding embed(const MetricSurface& shape, std::span<const int> bases, int dimensions,
                 const Context& context) {
   const Eigen::MatrixXd all = affinities(shape, bases, context);
   const Eigen::MatrixXd half = all(Eigen::all, std::vector<int>(bases.begin(), bases.end()));

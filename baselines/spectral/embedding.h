@@ -6,7 +6,7 @@
 #include <span>
 
 #include "isomatch/context.h"
-#include "isomatch/mesh/shape.h"
+#include "shape/metric_surface.h"
 
 namespace isomatch::baselines {
 
@@ -20,7 +20,7 @@ struct Embedding {
 /// The leading eigenvectors of the affinity exp(-g^2 / 2 sigma^2) between `bases`, after the first,
 /// nearly constant one, each times the square root of its eigenvalue; sigma is the largest g. Fewer
 /// dimensions than wanted where there are too few bases. Signs are arbitrary.
-Embedding embed(const Shape& shape, std::span<const int> bases, int dimensions,
+Embedding embed(const MetricSurface& shape, std::span<const int> bases, int dimensions,
                 const Context& context);
 
 }  // namespace isomatch::baselines

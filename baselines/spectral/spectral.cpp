@@ -43,8 +43,9 @@ void SpectralOptions::validate() const {
     throw InvalidInput("smoothing must be positive and must not rise");
 }
 
-SpectralResult match_spectral(const Shape& source, const Shape& target, const JointSampling& bases,
-                              const SpectralOptions& options, const Context& context) {
+SpectralResult match_spectral(const MetricSurface& source, const MetricSurface& target,
+                              const JointSampling& bases, const SpectralOptions& options,
+                              const Context& context) {
   options.validate();
   if (std::min(std::ssize(bases.source), std::ssize(bases.target)) <= options.dimensions)
     throw InvalidInput("the spectral method needs more base vertices than dimensions");

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/mesh/shape.h"
 #include "isomatch/methods/paper.h"
+#include "shape/metric_surface.h"
 
 namespace isomatch::baselines {
 
@@ -33,7 +33,8 @@ struct SpectralResult {
 /// thin-plate splines, nearest neighbours. Vertices besides `bases` are embedded by the Nystroem
 /// extension of Jain, Zhang and van Kaick 2007. Cannot tell a shape from its mirror image. Throws
 /// `InvalidInput` if an option is out of range or a shape has not more bases than dimensions.
-SpectralResult match_spectral(const Shape& source, const Shape& target, const JointSampling& bases,
-                              const SpectralOptions& options = {}, const Context& context = {});
+SpectralResult match_spectral(const MetricSurface& source, const MetricSurface& target,
+                              const JointSampling& bases, const SpectralOptions& options = {},
+                              const Context& context = {});
 
 }  // namespace isomatch::baselines

@@ -18,25 +18,22 @@
 namespace isomatch::baselines {
 namespace {
 
-/// A surface scaled to unit area, with its eigenfunctions.
+/// Eigenfunctions of a surface, and what its vertices stand for.
 struct Spectrum {
   Eigen::MatrixXf functions;
   Eigen::VectorXd values;
   Eigen::VectorXd areas;
 };
 
-Spectrum spectrum(const Shape& shape, int count) {
-  isomatch::spectral::Eigenbasis basis = isomatch::spectral::eigenbasis(shape.surface.mesh, count);
+Spectrum spectrum(const MetricSurface& shape, int count) {
+  isomatch::spectral::Eigenbasis basis = isomatch::spectral::eigenbasis(shape.mesh(), count);
   if (basis.values.size() < count)
     throw InvalidInput(fmt::format("zoomout needs surfaces of more than {} vertices", count));
-  const double area = shape.surface.area;
-  const auto areas =
-      Eigen::Map<const Eigen::VectorXd>(shape.vertex_areas.data(), shape.num_vertices());
-  return {std::move(basis.functions) * static_cast<float>(std::sqrt(area)), basis.values * area,
-          areas / area};
+  return {std::move(basis.functions), std::move(basis.values),
+          Eigen::Map<const Eigen::VectorXd>(shape.vertex_areas().data(), shape.num_vertices())};
 }
 
-DescribedBasis described(const Shape& shape, const Spectrum& spectrum,
+DescribedBasis described(const MetricSurface& shape, const Spectrum& spectrum,
                          const ZoomOutOptions& options) {
   const Eigen::MatrixXd functions =
       spectrum.functions.leftCols(options.signature_functions).cast<double>();
@@ -44,15 +41,15 @@ DescribedBasis described(const Shape& shape, const Spectrum& spectrum,
       functions, spectrum.values.head(options.signature_functions), options.energies);
   const auto chosen = Eigen::seqN(
       0, (options.energies + options.energy_step - 1) / options.energy_step, options.energy_step);
-  return describe(shape.surface.mesh, spectrum.areas, functions.leftCols(options.first_size),
+  return describe(shape.mesh(), spectrum.areas, functions.leftCols(options.first_size),
                   spectrum.values.head(options.first_size), signatures(Eigen::all, chosen));
 }
 
 /// Rows of the eigenfunctions at evenly spread vertices.
-Eigen::MatrixXf sampled(const Shape& shape, const Eigen::MatrixXf& functions, int count) {
+Eigen::MatrixXf sampled(const MetricSurface& shape, const Eigen::MatrixXf& functions, int count) {
   std::vector<int> vertices(shape.num_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
-  return functions(farthest_points(shape.graph, vertices, count), Eigen::all);
+  return functions(farthest_points(shape.graph(), vertices, count), Eigen::all);
 }
 
 /// Target point of each source point under a functional map of target to source functions.
@@ -91,8 +88,8 @@ void ZoomOutOptions::validate() const {
   if (samples < last_size) throw InvalidInput("samples must be at least last_size");
 }
 
-ZoomOutResult match_zoomout(const Shape& source, const Shape& target, const ZoomOutOptions& options,
-                            const Context& context) {
+ZoomOutResult match_zoomout(const MetricSurface& source, const MetricSurface& target,
+                            const ZoomOutOptions& options, const Context& context) {
   options.validate();
   ZoomOutResult result;
   const auto [on_source, on_target] = [&] {

@@ -6,8 +6,8 @@
 
 #include "isomatch/context.h"
 #include "isomatch/maps/correspondence.h"
-#include "isomatch/mesh/shape.h"
 #include "isomatch/stage_times.h"
+#include "shape/metric_surface.h"
 #include "zoomout/functional_map.h"
 
 namespace isomatch::baselines {
@@ -39,7 +39,7 @@ struct ZoomOutResult {
 /// 2018), refined by ZoomOut (Melzi et al. 2019) in its accelerated form, on samples; the last
 /// nearest neighbours are those of all vertices. Needs no landmarks. Surfaces must be oriented
 /// alike. Throws `InvalidInput` if an option is out of range or a surface has too few vertices.
-ZoomOutResult match_zoomout(const Shape& source, const Shape& target,
+ZoomOutResult match_zoomout(const MetricSurface& source, const MetricSurface& target,
                             const ZoomOutOptions& options = {}, const Context& context = {});
 
 }  // namespace isomatch::baselines
