@@ -5,7 +5,9 @@
 set(ISOMATCH_COMMON_HEADERS
     <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <filesystem> <fmt/format.h> <functional>
     <numeric> <optional> <span> <string> <string_view> <utility> <vector>)
-set(ISOMATCH_TOOL_HEADERS ${ISOMATCH_COMMON_HEADERS} <CLI/CLI.hpp> <nlohmann/json.hpp>)
+set(ISOMATCH_PROGRAM_HEADERS ${ISOMATCH_COMMON_HEADERS} <CLI/CLI.hpp>)
+set(ISOMATCH_RESULT_HEADERS ${ISOMATCH_COMMON_HEADERS} <nlohmann/json.hpp>)
+set(ISOMATCH_TOOL_HEADERS ${ISOMATCH_PROGRAM_HEADERS} <nlohmann/json.hpp>)
 set(ISOMATCH_PYTHON_HEADERS
     ${ISOMATCH_COMMON_HEADERS} <pybind11/numpy.h> <pybind11/stl.h>)
 set(ISOMATCH_TEST_HEADERS ${ISOMATCH_COMMON_HEADERS} <gmock/gmock.h> <gtest/gtest.h>)

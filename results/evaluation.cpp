@@ -7,7 +7,7 @@
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 std::optional<TruthEvaluation> evaluate_truth(const Shape& source, const Shape& target,
@@ -110,4 +110,4 @@ Json to_json(const Evaluation& evaluation) {
   return json;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

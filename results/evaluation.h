@@ -10,7 +10,7 @@
 #include "isomatch/measure/metrics.h"
 #include "results/json.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// Files that hold the ground truth between two meshes; empty where there is none.
 struct TruthFiles {
@@ -82,4 +82,4 @@ int input_vertex_count(const Shape& shape);
 
 Json to_json(const Evaluation& evaluation);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

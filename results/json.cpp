@@ -8,7 +8,7 @@
 #include <charconv>
 #include <optional>
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 Json to_json(const Connectivity& connectivity) {
@@ -116,4 +116,4 @@ Json to_json(const MeshDiagnosis& diagnosis) {
           {"warnings", diagnosis.warnings()}};
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

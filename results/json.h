@@ -8,7 +8,7 @@
 
 #include "isomatch/mesh/diagnosis.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// Keeps the order in which fields were added.
 using Json = nlohmann::ordered_json;
@@ -27,4 +27,4 @@ std::vector<std::string> get_paths(const Json& object, const std::string& key);
 /// All of a diagnosis; the fields have the names of the struct's. No genus is null.
 Json to_json(const MeshDiagnosis& diagnosis);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

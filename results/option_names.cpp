@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 std::string option_name(std::string_view field) {
   if (field == "max_levels") return "levels";
@@ -13,4 +13,4 @@ std::string option_name(std::string_view field) {
   return name;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -8,7 +8,7 @@
 #include "isomatch/option_fields.h"
 #include "results/json.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// What the command line and reports call the option `field` of a struct: radius-factor for
 /// radius_factor. `max_levels` is `levels`, since it is the number K that the paper's text gives.
@@ -22,4 +22,4 @@ void add_options(Json& json, const Options& options) {
   });
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 folders=()
-for folder in include src results baselines tools bench examples python tests; do
+for folder in include src results program baselines tools bench examples python tests; do
   [ ! -d "$folder" ] || folders+=("$folder")
 done
 

@@ -13,17 +13,17 @@
 #include "isomatch/io/model_io.h"
 #include "load.h"
 #include "map_input.h"
-#include "results/folder/parent_folders.h"
+#include "program/say.h"
+#include "results/drawing/result_model.h"
+#include "results/files/parent_folders.h"
 #include "results/folder/result.h"
-#include "results/page/result_model.h"
-#include "say.h"
 
 namespace isomatch::cli {
 namespace {
 
 struct ConvertArguments {
   std::string input, output;
-  MeshPlaces places;
+  results::MeshPlaces places;
   MeshReadOptions reading;
   std::size_t alternative = 0;
   bool one_based = false, write_one_based = false, quiet = false;
@@ -35,12 +35,12 @@ struct ConvertArguments {
 
 void convert_result(const ConvertArguments& arguments) {
   const bool to_map = is_map_file_name(arguments.output);
-  const MatchResult result = load_result(arguments.input, arguments.places);
-  const ResultMap& map = chosen_map(result, arguments.alternative);
+  const results::MatchResult result = results::load_result(arguments.input, arguments.places);
+  const results::ResultMap& map = results::chosen_map(result, arguments.alternative);
   if (to_map)
     write_map(arguments.output, {map.source_to_target, map.points}, arguments.output_numbering());
   else
-    write_model(arguments.output, result_model(result, map));
+    write_model(arguments.output, results::result_model(result, map));
 }
 
 /// Adds the form that the output has, if it is another one than the input's.
@@ -86,7 +86,7 @@ void refuse_idle_options(const ConvertArguments& arguments) {
     throw InvalidInput("--write-one-based is for maps");
   if (arguments.alternative != 0 && !is_result) throw InvalidInput("--alternative is for results");
   if (arguments.reading.mesh && (is_map || is_result)) throw InvalidInput("--mesh is for meshes");
-  const MeshPlaces& places = arguments.places;
+  const results::MeshPlaces& places = arguments.places;
   if (!(places.source.empty() && places.target.empty()) && !is_result && !is_map)
     throw InvalidInput("--source and --target are for maps and results");
 }
@@ -101,15 +101,15 @@ void check_convert(const ConvertArguments& arguments) {
   const bool to_map =
       is_map_file_name(arguments.output) && (is_result || is_map_file_name(arguments.input));
   to_map ? check_map_output(arguments.output) : check_mesh_output(arguments.output);
-  InputFiles inputs =
-      is_result ? result_inputs(arguments.input, arguments.places) : InputFiles({arguments.input});
+  results::InputFiles inputs = is_result ? results::result_inputs(arguments.input, arguments.places)
+                                         : results::InputFiles({arguments.input});
   inputs.add(arguments.places.source);
   inputs.add(arguments.places.target);
   inputs.refuse(arguments.output);
 }
 
 void run_convert(const ConvertArguments& arguments) {
-  const ParentFolders parents(arguments.output);
+  const results::ParentFolders parents(arguments.output);
   check_convert(arguments);
   if (std::filesystem::is_directory(arguments.input))
     convert_result(arguments);

@@ -9,29 +9,31 @@
 #include "isomatch/io/mesh_io.h"
 #include "load.h"
 #include "map_input.h"
-#include "progress_bar.h"
+#include "program/progress_bar.h"
 #include "results/evaluation.h"
+#include "results/loaded_mesh.h"
 
 namespace isomatch::cli {
 namespace {
 
 struct EvalArguments {
   std::string source, target, map;
-  TruthFiles truth;
+  results::TruthFiles truth;
   bool one_based = false;
   bool json = false;
-  EvaluationOptions options;
+  results::EvaluationOptions options;
 };
 
 /// The numbers of the surfaces instead of those of the files. Points count where a file has both.
-MeasuredMap on_surfaces(const MatchContent& map, const Shape& source, const Shape& target) {
+results::MeasuredMap on_surfaces(const MatchContent& map, const Shape& source,
+                                 const Shape& target) {
   if (map.points.empty()) return {surface_matches(source.surface, target.surface, map.matches), {}};
   const SurfaceMap points = surface_map(source.surface, target.surface, map.points);
   return {to_correspondence(nearest_vertices(target.surface.mesh, points)), points};
 }
 
 struct Measured {
-  Evaluation evaluation;
+  results::Evaluation evaluation;
   MapReadReport map;
 };
 
@@ -39,13 +41,13 @@ Measured measure(const EvalArguments& arguments, const Context& context) {
   const Mesh source_mesh = load_mesh(arguments.source), target_mesh = load_mesh(arguments.target);
   const MapChecks checks{source_mesh.num_vertices(), target_mesh.num_vertices(),
                          target_mesh.num_faces()};
-  const Shape source = prepare_loaded(arguments.source, source_mesh, context);
-  const Shape target = prepare_loaded(arguments.target, target_mesh, context);
+  const Shape source = results::prepare_loaded(arguments.source, source_mesh, context);
+  const Shape target = results::prepare_loaded(arguments.target, target_mesh, context);
   Measured result;
   const MatchContent map =
       read_matches(arguments.map, checks, told_numbering(arguments.one_based), &result.map);
-  result.evaluation = evaluate(source, target, on_surfaces(map, source, target), arguments.truth,
-                               arguments.options, context);
+  result.evaluation = results::evaluate(source, target, on_surfaces(map, source, target),
+                                        arguments.truth, arguments.options, context);
   return result;
 }
 
@@ -54,7 +56,7 @@ void print_errors(std::string_view name, const ErrorStatistics& error) {
              error.median, error.p95, error.maximum);
 }
 
-void print(std::string_view name, const TruthEvaluation& truth) {
+void print(std::string_view name, const results::TruthEvaluation& truth) {
   const ErrorStatistics& grd = truth.match_errors;
   fmt::print("{}, {} of {} template points on both surfaces\n", name, truth.points,
              truth.points_in_files);
@@ -64,7 +66,7 @@ void print(std::string_view name, const TruthEvaluation& truth) {
              grd.mean, grd.maximum);
 }
 
-void print(const Evaluation& evaluation) {
+void print(const results::Evaluation& evaluation) {
   const MapOrientation& orientation = evaluation.orientation;
   fmt::print("{} matches\n", evaluation.matches);
   fmt::print("  D_iso / maximum geodesic        mean {:.4f}  maximum (d_iso-dagger) {:.4f}\n",
@@ -83,8 +85,8 @@ void run_eval(const EvalArguments& arguments, const Context& context) {
   const Measured measured = measure(arguments, context);
   ProgressBar::make_room();
   if (arguments.json) {
-    Json json{{"map_numbered_from", static_cast<int>(measured.map.numbering)}};
-    json.update(to_json(measured.evaluation));
+    results::Json json{{"map_numbered_from", static_cast<int>(measured.map.numbering)}};
+    json.update(results::to_json(measured.evaluation));
     fmt::print("{}\n", json.dump(2));
     return;
   }

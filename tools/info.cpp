@@ -12,6 +12,7 @@
 #include "isomatch/io/mesh_io.h"
 #include "load.h"
 #include "results/json.h"
+#include "results/loaded_mesh.h"
 
 namespace isomatch::cli {
 namespace {
@@ -65,10 +66,10 @@ void print_surface(const MeshDiagnosis& diagnosis) {
 void run_info(const InfoArguments& arguments) {
   MeshReadReport report;
   const Mesh mesh = read_mesh(arguments.mesh, &report, arguments.reading);
-  for (const std::string& warning : report.warnings) warn(arguments.mesh, warning);
-  const MeshDiagnosis diagnosis = diagnosed(arguments.mesh, mesh);
+  for (const std::string& warning : report.warnings) warn_of(arguments.mesh, warning);
+  const MeshDiagnosis diagnosis = results::diagnosed(arguments.mesh, mesh);
   if (arguments.json) {
-    Json json = to_json(diagnosis);
+    results::Json json = results::to_json(diagnosis);
     json["triangulated_polygons"] = report.triangulated_polygons;
     json["merged_vertices"] = report.merged_vertices;
     json["read_warnings"] = report.warnings;

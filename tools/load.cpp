@@ -4,10 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
-#include "isomatch/error.h"
-#include "progress_bar.h"
+#include "program/progress_bar.h"
 
 namespace isomatch::cli {
 namespace {
@@ -17,23 +14,13 @@ template <class Read>
 auto loaded(const std::string& path, const Read& read) {
   MeshReadReport report;
   auto result = read(path, &report);
-  for (const std::string& warning : report.warnings) warn(path, warning);
+  for (const std::string& warning : report.warnings) warn_of(path, warning);
   return result;
-}
-
-/// `work()` on what was read from `path`, which is to blame.
-template <class Work>
-auto of_file(const std::string& path, const Work& work) {
-  try {
-    return work();
-  } catch (const InvalidInput& error) {
-    throw BadFile(path, error.what());
-  }
 }
 
 }  // namespace
 
-void warn(const std::string& path, std::string_view warning) {
+void warn_of(const std::string& path, std::string_view warning) {
   warn(fmt::format("{}: {}", path, warning));
 }
 
@@ -63,26 +50,6 @@ void add_mesh_option(CLI::App& command, MeshReadOptions& options) {
       .add_option("--mesh", options.mesh,
                   "Of a glTF file only this mesh, by its name; without this all of the scene")
       ->type_name("NAME");
-}
-
-MeshDiagnosis diagnosed(const std::string& path, const Mesh& mesh) {
-  return of_file(path, [&] { return diagnose(mesh); });
-}
-
-Inspection inspected(const std::string& path, const Mesh& mesh) {
-  return of_file(path, [&] {
-    Inspection inspection = inspect(mesh);
-    if (!inspection.surface) throw InvalidInput("the mesh has no face of positive area");
-    return inspection;
-  });
-}
-
-Shape prepare_loaded(const std::string& path, const Mesh& mesh, const Context& context) {
-  return of_file(path, [&] { return prepare_shape(mesh, {}, context); });
-}
-
-Shape load_shape(const std::string& path, const Context& context) {
-  return prepare_loaded(path, load_mesh(path), context);
 }
 
 }  // namespace isomatch::cli

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "command.h"
-#include "help_format.h"
 #include "isomatch/version.h"
-#include "program.h"
+#include "program/help_format.h"
+#include "program/program.h"
 
 namespace isomatch::cli {
 namespace {

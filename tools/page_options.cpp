@@ -4,7 +4,7 @@
 
 namespace isomatch::cli {
 
-void add_page_options(CLI::App& command, PageOptions& options, const std::string& group) {
+void add_page_options(CLI::App& command, results::PageOptions& options, const std::string& group) {
   const auto grouped = [&](CLI::Option* option) {
     if (!group.empty()) option->group(group);
     return option;

@@ -9,6 +9,7 @@
 namespace isomatch::cli {
 
 /// Adds the flags that set `options`, in the option group `group` if it is not empty.
-void add_page_options(CLI::App& command, PageOptions& options, const std::string& group = "");
+void add_page_options(CLI::App& command, results::PageOptions& options,
+                      const std::string& group = "");
 
 }  // namespace isomatch::cli

@@ -9,6 +9,6 @@
 namespace isomatch::cli {
 
 /// Adds `--source` and `--target`, which tell where the meshes of a result are now.
-void add_places(CLI::App& command, MeshPlaces& places);
+void add_places(CLI::App& command, results::MeshPlaces& places);
 
 }  // namespace isomatch::cli

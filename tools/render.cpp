@@ -9,13 +9,15 @@
 #include "isomatch/io/texture_io.h"
 #include "load.h"
 #include "place_options.h"
-#include "results/folder/materials.h"
-#include "results/folder/parent_folders.h"
+#include "program/say.h"
+#include "results/drawing/drawable.h"
+#include "results/drawing/pair_view.h"
+#include "results/files/materials.h"
+#include "results/files/outputs.h"
+#include "results/files/parent_folders.h"
 #include "results/folder/result.h"
-#include "results/page/pair_view.h"
 #include "results/picture/pair.h"
 #include "results/picture/position_colors.h"
-#include "say.h"
 
 namespace isomatch::cli {
 namespace {
@@ -24,8 +26,8 @@ using picture::Color;
 
 struct RenderArguments {
   std::string folder, output, background = "white";
-  MeshPlaces places;
-  ViewOptions view;
+  results::MeshPlaces places;
+  results::ViewOptions view;
   std::size_t alternative = 0;
   /// Files of the source and the target.
   std::vector<std::string> textures;
@@ -33,8 +35,10 @@ struct RenderArguments {
   bool quiet = false;
 };
 
-std::vector<Color> target_colors(const MatchResult& result, const picture::PositionColors& color) {
-  const std::vector<bool> matched = matched_targets(result);
+std::vector<Color> target_colors(const results::MatchResult& result,
+                                 const picture::PositionColors& color) {
+  const std::vector<bool> matched =
+      results::matched_targets(result.target, results::load_relation(result));
   std::vector<Color> colors;
   for (int v = 0; v < result.target.num_vertices(); ++v)
     colors.push_back(matched[v] ? color(result.target.vertices[v]) : picture::kUnmatchedColor);
@@ -47,10 +51,10 @@ Color background_color(const std::string& name) {
 
 /// Fails now rather than after the work.
 void check_render(const RenderArguments& arguments) {
-  check_ending(arguments.output, {".png"});
-  InputFiles inputs = result_inputs(arguments.folder, arguments.places);
+  results::check_ending(arguments.output, {".png"});
+  results::InputFiles inputs = results::result_inputs(arguments.folder, arguments.places);
   for (const std::string& texture : arguments.textures) inputs.add(texture);
-  check_output(arguments.output, inputs);
+  results::check_output(arguments.output, inputs);
 }
 
 /// A file's mesh, which begins with the vertices of a mesh that was matched, and what it shows.
@@ -70,14 +74,15 @@ Painted load_painted(const std::string& path, const Mesh& matched) {
       std::ranges::mismatch(matched.vertices, textured.mesh.vertices, is_same_place).in1;
   if (same != matched.vertices.end())
     throw BadFile(path, "does not begin with the vertices of the mesh that was matched");
-  make_drawable(textured.mesh);
+  results::make_drawable(textured.mesh);
   Painted painted{std::move(textured.mesh), {std::move(textured.texture), {}}};
-  for (const std::string& image : material_images(path, painted.paint.texture.materials))
+  for (const std::string& image :
+       results::material_images(path, painted.paint.texture.materials, warn_of))
     painted.paint.images.push_back(image.empty() ? picture::Image{} : picture::read_image(image));
   return painted;
 }
 
-picture::Image draw_textures(const MatchResult& result, const PairView& view,
+picture::Image draw_textures(const results::MatchResult& result, const results::PairView& view,
                              const RenderArguments& arguments) {
   Painted source = load_painted(arguments.textures[0], result.source);
   Painted target = load_painted(arguments.textures[1], result.target);
@@ -86,22 +91,23 @@ picture::Image draw_textures(const MatchResult& result, const PairView& view,
                             background_color(arguments.background));
 }
 
-picture::Image draw_map(const MatchResult& result, const ResultMap& map, const PairView& view,
-                        const RenderArguments& arguments) {
+picture::Image draw_map(const results::MatchResult& result, const results::ResultMap& map,
+                        const results::PairView& view, const RenderArguments& arguments) {
   const picture::PositionColors color(view.target, result.target.vertices);
-  return picture::draw_pair({result.source, source_colors(result, map, color), view.source},
-                            {result.target, target_colors(result, color), view.target},
-                            arguments.width, background_color(arguments.background));
+  return picture::draw_pair(
+      {result.source, results::source_colors(result, map, color), view.source},
+      {result.target, target_colors(result, color), view.target}, arguments.width,
+      background_color(arguments.background));
 }
 
 void run_render(const RenderArguments& arguments) {
-  const ParentFolders parents(arguments.output);
+  const results::ParentFolders parents(arguments.output);
   check_render(arguments);
-  const MatchResult result = load_result(arguments.folder, arguments.places);
-  MatchResult drawn = result;
-  make_drawable(drawn);
-  const ResultMap& map = chosen_map(drawn, arguments.alternative);
-  const PairView view = choose_pair_view(drawn, map, arguments.view);
+  const results::MatchResult result = results::load_result(arguments.folder, arguments.places);
+  results::MatchResult drawn = result;
+  results::make_drawable(drawn);
+  const results::ResultMap& map = results::chosen_map(drawn, arguments.alternative);
+  const results::PairView view = results::choose_pair_view(drawn, map, arguments.view);
   const picture::Image image = arguments.textures.empty() ? draw_map(drawn, map, view, arguments)
                                                           : draw_textures(result, view, arguments);
   write_png(arguments.output, image);

@@ -6,28 +6,30 @@
 #include "command.h"
 #include "page_options.h"
 #include "place_options.h"
-#include "results/folder/parent_folders.h"
-#include "results/folder/written_files.h"
+#include "program/say.h"
+#include "results/files/parent_folders.h"
+#include "results/files/written_files.h"
 #include "results/page/page.h"
-#include "say.h"
 
 namespace isomatch::cli {
 namespace {
 
 struct ReportArguments {
   std::string folder, output;
-  MeshPlaces places;
-  PageOptions page;
+  results::MeshPlaces places;
+  results::PageOptions page;
   bool quiet = false;
 };
 
 void run_report(const ReportArguments& arguments, const Context& context) {
-  const std::string output = arguments.output.empty()
-                                 ? (std::filesystem::path(arguments.folder) / kPage).string()
-                                 : arguments.output;
-  const ParentFolders parents(output);
-  check_page_output(output, arguments.folder, arguments.places, arguments.page.truth);
-  write_page(output, arguments.folder, arguments.places, arguments.page, context);
+  const std::string output =
+      arguments.output.empty() ? (std::filesystem::path(arguments.folder) / results::kPage).string()
+                               : arguments.output;
+  const results::ParentFolders parents(output);
+  results::check_page_output(output, arguments.folder, arguments.places, arguments.page.truth);
+  context.report(0, "reading");
+  results::write_page(output, results::load_shown(arguments.folder, arguments.places),
+                      arguments.page, context);
   if (!arguments.quiet) say("written to {}", output);
 }
 

@@ -11,9 +11,9 @@
 #include "command.h"
 #include "isomatch/io/map_io.h"
 #include "isomatch/io/mesh_io.h"
-#include "results/folder/input_files.h"
-#include "results/folder/parent_folders.h"
-#include "say.h"
+#include "program/say.h"
+#include "results/files/outputs.h"
+#include "results/files/parent_folders.h"
 
 namespace isomatch::cli {
 namespace {
@@ -30,9 +30,10 @@ void run_synth(const SynthArguments& arguments, const Context& context) {
     return std::filesystem::path(path).replace_extension(ending).string();
   };
   const std::string truth = beside(".vts"), symmetric_truth = beside(".sym.vts");
-  const ParentFolders parents(path);
+  const results::ParentFolders parents(path);
   check_mesh_output(path);
-  for (const std::string& file : {truth, symmetric_truth}) check_companion_output(file, path, {});
+  for (const std::string& file : {truth, symmetric_truth})
+    results::check_companion_output(file, path, {});
   const SynthShape shape = synthesize(arguments.options, context);
   write_mesh(path, shape.mesh);
   write_vts(truth, shape.ground_truth);

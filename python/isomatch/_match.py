@@ -295,10 +295,7 @@ class Match(Map):
         os.makedirs(folder, exist_ok=True)
         for name, write in arrays.items():
             write(os.fsdecode(os.path.join(folder, name)))
-        self._core.save(saved)
-        if report:
-            page = os.path.join(folder, b"report.html")
-            _core.write_page(page, saved, b"", b"", _core.RunOptions(None, None))
+        self._core.save(saved, _core.RunOptions(None, None))
 
     def _saved_landmarks(self, folder):
         if self._landmark_file or len(self._landmarks) == 0:

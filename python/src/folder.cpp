@@ -15,8 +15,8 @@
 #include "isomatch/error.h"
 #include "isomatch/io/map_io.h"
 #include "isomatch/measure/metrics.h"
-#include "results/folder/written_files.h"
-#include "results/page/levels.h"
+#include "results/files/written_files.h"
+#include "results/folder/levels.h"
 
 namespace fs = std::filesystem;
 namespace py = pybind11;
@@ -24,12 +24,12 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-using cli::Json;
-using cli::MatchInput;
-using cli::MatchResult;
+using results::Json;
+using results::MatchInput;
+using results::MatchResult;
 
 bool has_own_file(const std::string& folder, const std::string& name) {
-  const std::vector<std::string> files = cli::written_files(folder, cli::Listing::kOfMatch);
+  const std::vector<std::string> files = results::written_files(folder, results::Listing::kOfMatch);
   return std::ranges::count(files, name) > 0 && fs::exists(fs::path(folder) / name);
 }
 
@@ -39,7 +39,7 @@ auto from_report(const MatchResult& folder, const Read& read) {
   try {
     return read(folder.report);
   } catch (const Json::exception& error) {
-    throw BadFile(folder.path(cli::kReport),
+    throw BadFile(folder.path(results::kReport),
                   fmt::format("is not the report of a match: {}", error.what()));
   }
 }
@@ -65,7 +65,7 @@ SurfaceMap inverse_of(const MatchResult& folder, const MatchInput& source,
   return corner_points(source.surface.mesh, target_to_source);
 }
 
-std::string inverse_file(const MatchResult& folder, const cli::ResultMap& map) {
+std::string inverse_file(const MatchResult& folder, const results::ResultMap& map) {
   return folder.path((fs::path(map.folder) / "target_to_source.bary.txt").string());
 }
 
@@ -76,7 +76,7 @@ SurfaceMap read_inverse(const std::string& file, const MatchInput& source,
   return surface_map(target.surface, source.surface, points);
 }
 
-std::vector<Point> registered_of(const MatchResult& folder, const cli::ResultMap& map,
+std::vector<Point> registered_of(const MatchResult& folder, const results::ResultMap& map,
                                  const Surface& source) {
   if (map.registered.empty())
     throw BadFile(folder.path((fs::path(map.folder) / "registered.ply").string()), "is missing");
@@ -85,10 +85,10 @@ std::vector<Point> registered_of(const MatchResult& folder, const cli::ResultMap
   return positions;
 }
 
-TrackedMap to_map(const MatchResult& folder, const cli::MatchInputs& inputs, std::size_t number,
+TrackedMap to_map(const MatchResult& folder, const results::MatchInputs& inputs, std::size_t number,
                   bool has_inverse) {
   const MatchInput &source = inputs.source, &target = inputs.target;
-  const cli::ResultMap& from = folder.maps[number];
+  const results::ResultMap& from = folder.maps[number];
   TrackedMap map;
   map.source_to_target = surface_map(source.surface, target.surface, from.points);
   map.registered = registered_of(folder, from, source.surface);
@@ -154,8 +154,8 @@ class Bases {
   std::vector<int> number_, bases_;
 };
 
-cli::MeasuredMatches numbered(const cli::MeasuredMatches& matches, const Bases& sources,
-                              const Bases& targets) {
+results::MeasuredMatches numbered(const results::MeasuredMatches& matches, const Bases& sources,
+                                  const Bases& targets) {
   std::vector<std::pair<Match, double>> pairs;
   for (std::size_t m = 0; m < matches.matches.size(); ++m) {
     const auto& [source, target] = matches.matches[m];
@@ -165,7 +165,7 @@ cli::MeasuredMatches numbered(const cli::MeasuredMatches& matches, const Bases& 
   // Copies of a vertex on a seam.
   const auto repeated = std::ranges::unique(pairs, {}, &std::pair<Match, double>::first);
   pairs.erase(repeated.begin(), repeated.end());
-  cli::MeasuredMatches result;
+  results::MeasuredMatches result;
   for (const auto& [match, distortion] : pairs) {
     result.matches.push_back(match);
     result.distortion.push_back(distortion);
@@ -179,12 +179,12 @@ std::vector<int> vertices_of(const Correspondence& matches, int Match::*side) {
   return vertices;
 }
 
-PaperLevel to_level(const cli::ResultLevel& from, const Json& figures, Bases& sources,
+PaperLevel to_level(const results::ResultLevel& from, const Json& figures, Bases& sources,
                     Bases& targets) {
   sources.add(vertices_of(from.many_to_many.matches, &Match::source));
   targets.add(vertices_of(from.many_to_many.matches, &Match::target));
-  cli::MeasuredMatches matches = numbered(from.many_to_many, sources, targets);
-  cli::MeasuredMatches many_to_one = numbered(from.many_to_one, sources, targets);
+  results::MeasuredMatches matches = numbered(from.many_to_many, sources, targets);
+  results::MeasuredMatches many_to_one = numbered(from.many_to_one, sources, targets);
   if (std::cmp_not_equal(many_to_one.matches.size(), sources.count()) ||
       std::ranges::count(many_to_one.matches, kNoVertex, &Match::target) > 0)
     throw InvalidInput("a level's many-to-one matches are not those of its bases");
@@ -212,7 +212,7 @@ Json level_figures(const MatchResult& folder, std::size_t levels) {
 }
 
 std::vector<PaperLevel> levels_of(const MatchResult& folder, Bases& sources, Bases& targets) {
-  const std::vector<cli::ResultLevel> files = cli::load_levels(folder);
+  const std::vector<results::ResultLevel> files = results::load_levels(folder);
   const Json figures = level_figures(folder, files.size());
   std::vector<PaperLevel> levels;
   for (std::size_t k = 0; k < files.size(); ++k) {
@@ -240,16 +240,17 @@ std::string landmark_file(const MatchResult& folder) {
     const Json& options = report.at("options");
     if (!options.contains("landmarks") || options["landmarks"].is_null()) return {};
     if (has_own_file(folder.folder, "landmarks.txt")) return folder.path("landmarks.txt");
-    const std::string given = cli::get_path(options, "landmarks");
-    return fs::exists(given) ? given
-                             : (fs::path(cli::get_path(report, "working_folder")) / given).string();
+    const std::string given = results::get_path(options, "landmarks");
+    return fs::exists(given)
+               ? given
+               : (fs::path(results::get_path(report, "working_folder")) / given).string();
   });
 }
 
 std::string method_of(const MatchResult& folder) {
   const std::string method = folder.report["options"]["method"];
   if (method != "tracked" && method != "paper")
-    throw BadFile(folder.path(cli::kReport), "has a method that is not known: " + method);
+    throw BadFile(folder.path(results::kReport), "has a method that is not known: " + method);
   return method;
 }
 
@@ -261,12 +262,12 @@ std::string geodesics_of(const MatchResult& folder) {
 
 }  // namespace
 
-MatchResult load_folder(const std::string& folder, cli::MeshPlaces places) {
+MatchResult load_folder(const std::string& folder, results::MeshPlaces places) {
   for (auto& [place, name] : {std::pair<std::string&, const char*>(places.source, "source.ply"),
                               std::pair<std::string&, const char*>(places.target, "target.ply")}) {
     if (place.empty() && has_own_file(folder, name)) place = (fs::path(folder) / name).string();
   }
-  return cli::load_result(folder, places);
+  return results::load_result(folder, places);
 }
 
 std::vector<Match> landmarks_of(const MatchResult& folder) {
@@ -285,9 +286,9 @@ TrackedMatch tracked_of(const MatchResult& folder, const PreparedMesh& source,
   for (std::size_t k = 0; k < folder.maps.size(); ++k)
     match.result.maps.push_back(to_map(folder, match.inputs, k, match.has_inverse));
   from_report(folder, [&](const Json& report) {
-    match.fits.push_back(cli::to_fit(report.at("fit")));
+    match.fits.push_back(results::to_fit(report.at("fit")));
     for (const Json& alternative : report.at("alternatives"))
-      match.fits.push_back(cli::to_fit(alternative.at("fit")));
+      match.fits.push_back(results::to_fit(alternative.at("fit")));
     for (const auto& [s, t] :
          report.at("contradicted_landmarks").get<std::vector<std::array<int, 2>>>())
       match.contradicted_landmarks.push_back({s, t});
@@ -295,8 +296,8 @@ TrackedMatch tracked_of(const MatchResult& folder, const PreparedMesh& source,
   return match;
 }
 
-cli::PaperRun paper_of(const MatchResult& folder, const PreparedMesh& source,
-                       const PreparedMesh& target) {
+results::PaperRun paper_of(const MatchResult& folder, const PreparedMesh& source,
+                           const PreparedMesh& target) {
   Bases sources(source.surface()), targets(target.surface());
   PaperResult result;
   result.levels = levels_of(folder, sources, targets);
@@ -307,7 +308,7 @@ cli::PaperRun paper_of(const MatchResult& folder, const PreparedMesh& source,
   std::array<double, 2> max_geodesics{};
   Fit fit;
   from_report(folder, [&](const Json& report) {
-    fit = cli::to_fit(report.at("fit"));
+    fit = results::to_fit(report.at("fit"));
     result.complete = report.at("complete");
     result.times = times_of(report);
     max_geodesics = {report.at("source").at("max_geodesic"),

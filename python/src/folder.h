@@ -10,18 +10,18 @@ namespace isomatch::python {
 
 /// Reads the folder. Meshes that were given as arrays lie in it, wherever it is now; others are
 /// looked for where they were, unless `places` tells. Throws `BadFile`.
-cli::MatchResult load_folder(const std::string& folder, cli::MeshPlaces places);
+results::MatchResult load_folder(const std::string& folder, results::MeshPlaces places);
 
 /// The landmarks of the match, source and target vertices; none if their file is not there any
 /// more. Throws `BadFile`.
-std::vector<Match> landmarks_of(const cli::MatchResult& folder);
+std::vector<Match> landmarks_of(const results::MatchResult& folder);
 
 /// The match that `folder` tells of, between the meshes that it was made of. Throws `BadFile`.
-TrackedMatch tracked_of(const cli::MatchResult& folder, const PreparedMesh& source,
+TrackedMatch tracked_of(const results::MatchResult& folder, const PreparedMesh& source,
                         const PreparedMesh& target);
 /// The same by the paper's method. A folder does not have the order in which bases of one level
 /// were selected: they are in that of their numbers.
-cli::PaperRun paper_of(const cli::MatchResult& folder, const PreparedMesh& source,
-                       const PreparedMesh& target);
+results::PaperRun paper_of(const results::MatchResult& folder, const PreparedMesh& source,
+                           const PreparedMesh& target);
 
 }  // namespace isomatch::python

@@ -14,10 +14,10 @@ namespace py = pybind11;
 
 namespace isomatch::python {
 
-cli::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files) {
+results::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files) {
   files.insert(files.end(), saved.arrays.begin(), saved.arrays.end());
-  if (saved.page) files.emplace_back(cli::kPage);
-  cli::ResultPlan plan{saved.folder, std::move(files), {}, saved.arrays};
+  if (saved.page) files.emplace_back(results::kPage);
+  results::ResultPlan plan{saved.folder, std::move(files), {}, saved.arrays};
   for (const auto& [input, array] : {std::pair(saved.source, "source.ply"),
                                      {saved.target, "target.ply"},
                                      {saved.landmarks, "landmarks.txt"}})
@@ -26,31 +26,37 @@ cli::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files) 
 }
 
 void check_save(const SavedAs& saved, std::vector<std::string> files) {
-  if (saved.page) cli::check_page_available();
-  cli::ResultPlan plan = make_plan(saved, std::move(files));
+  if (saved.page) results::check_page_available();
+  results::ResultPlan plan = make_plan(saved, std::move(files));
   plan.ready.clear();
-  cli::check_plan(plan);
+  results::check_plan(plan);
 }
 
-std::vector<std::string> command_line(const SavedAs& saved, const cli::Json& options,
-                                      const cli::Json& defaults) {
+std::vector<std::string> command_line(const SavedAs& saved, const results::Json& options,
+                                      const results::Json& defaults) {
   std::vector<std::string> words{"isomatch",   "match", saved.source,
                                  saved.target, "-o",    saved.folder};
   for (const auto& [name, value] : options.items()) {
     if ((defaults.contains(name) && value == defaults[name]) || name.ends_with("_escaped"))
       continue;
     words.push_back((value == false ? "--no-" : "--") + name);
-    if (value.is_string()) words.push_back(cli::get_path(options, name));
+    if (value.is_string()) words.push_back(results::get_path(options, name));
     if (value.is_number()) words.push_back(value.dump());
   }
   return words;
 }
 
-void rename(cli::MatchInputs& inputs, const SavedAs& saved, std::vector<std::string> words) {
+void rename(results::MatchInputs& inputs, const SavedAs& saved, std::vector<std::string> words) {
   inputs.words = std::move(words);
   inputs.working_folder = std::filesystem::current_path().string();
   inputs.source.path = saved.source;
   inputs.target.path = saved.target;
+}
+
+void save_page(const SavedAs& saved, const std::function<results::ShownMatch()>& shown,
+               const RunOptions& how) {
+  const std::string path = (std::filesystem::path(saved.folder) / results::kPage).string();
+  run_work(how, [&](const Context& context) { results::write_page(path, shown(), {}, context); });
 }
 
 py::dict to_dict(const std::vector<StageTime>& times) {

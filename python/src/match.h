@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "results/folder/report.h"
 #include "results/json.h"
 #include "results/option_names.h"
+#include "results/page/shown_match.h"
+#include "run.h"
 
 /// What the results of both methods share.
 namespace isomatch::python {
@@ -26,25 +29,30 @@ struct SavedAs {
 };
 
 /// What saving may write, `files` of the method besides the arrays and the page.
-cli::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files);
+results::ResultPlan make_plan(const SavedAs& saved, std::vector<std::string> files);
 
 /// Fails now rather than after the arrays were written, if saving would.
 void check_save(const SavedAs& saved, std::vector<std::string> files);
 
 /// Options of a run as they go into its report.
 template <class Options>
-cli::Json report_options(const std::string& method, unsigned long seed, const Options& options) {
-  cli::Json json = cli::options_json(method, seed);
-  cli::add_options(json, options);
+results::Json report_options(const std::string& method, unsigned long seed,
+                             const Options& options) {
+  results::Json json = results::options_json(method, seed);
+  results::add_options(json, options);
   return json;
 }
 
 /// The command line that makes what is saved: flags for `options` that differ from `defaults`.
-std::vector<std::string> command_line(const SavedAs& saved, const cli::Json& options,
-                                      const cli::Json& defaults);
+std::vector<std::string> command_line(const SavedAs& saved, const results::Json& options,
+                                      const results::Json& defaults);
 
 /// `inputs` under the names of `saved`.
-void rename(cli::MatchInputs& inputs, const SavedAs& saved, std::vector<std::string> words);
+void rename(results::MatchInputs& inputs, const SavedAs& saved, std::vector<std::string> words);
+
+/// Writes the page of a result that was saved: of what `shown()`, a `ShownMatch`, shows.
+void save_page(const SavedAs& saved, const std::function<results::ShownMatch()>& shown,
+               const RunOptions& how);
 
 /// Seconds by stage.
 pybind11::dict to_dict(const std::vector<StageTime>& times);

@@ -114,8 +114,9 @@ void bind_meshes(py::module_& module) {
                                return warnings;
                              })
       .def_property_readonly("read_report", read_report)
-      .def("diagnosis_json",
-           [](const PreparedMesh& shape) { return cli::to_json(shape.input().diagnosis).dump(); });
+      .def("diagnosis_json", [](const PreparedMesh& shape) {
+        return results::to_json(shape.input().diagnosis).dump();
+      });
   module.def("load_shape", load_shape);
   module.def("make_shape", make_shape);
   module.def("restore_shape", restore_shape, py::arg("path"), py::arg("vertices"), py::arg("faces"),

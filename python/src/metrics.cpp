@@ -22,8 +22,8 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-cli::MeasuredMap points_map(const PreparedMesh& source, const PreparedMesh& target,
-                            const SurfaceMap& map) {
+results::MeasuredMap points_map(const PreparedMesh& source, const PreparedMesh& target,
+                                const SurfaceMap& map) {
   check_map(source, target, map);
   const Surface& onto = target.surface();
   SurfaceMap points = surface_map(source.surface(), onto, map);
@@ -40,8 +40,8 @@ Correspondence pairs_on_surfaces(const PreparedMesh& source, const PreparedMesh&
 }
 
 /// A pair of arrays is a map to points, a single one a list of pairs of vertices.
-cli::MeasuredMap to_map(const PreparedMesh& source, const PreparedMesh& target,
-                        const py::tuple& map) {
+results::MeasuredMap to_map(const PreparedMesh& source, const PreparedMesh& target,
+                            const py::tuple& map) {
   if (map.size() == 2)
     return points_map(source, target,
                       to_surface_map(map[0].cast<py::array>(), map[1].cast<py::array>()));
@@ -50,7 +50,7 @@ cli::MeasuredMap to_map(const PreparedMesh& source, const PreparedMesh& target,
 
 /// The error of each source vertex against a truth, None without one.
 py::object errors_of(const PreparedMesh& source, const PreparedMesh& target,
-                     const cli::MeasuredMap& map, const std::vector<int>& at_source,
+                     const results::MeasuredMap& map, const std::vector<int>& at_source,
                      const std::vector<int>& at_target, const RunOptions& how) {
   if (at_target.empty()) return py::none();
   return adopt(run(how, [&](const Context& context) {
@@ -62,17 +62,17 @@ py::object errors_of(const PreparedMesh& source, const PreparedMesh& target,
 py::tuple evaluate(const PreparedMesh& source, const PreparedMesh& target, const py::tuple& map,
                    const py::tuple& truth, bool per_vertex, const py::dict& truth_keywords,
                    const py::dict& distortion_keywords, const RunOptions& how) {
-  const cli::EvaluationOptions options{to_options<TruthOptions>(truth_keywords),
-                                       to_options<DistortionOptions>(distortion_keywords)};
-  const cli::TruthVertices vertices{to_integers(truth[0].cast<py::array>(), "source truth"),
-                                    to_integers(truth[1].cast<py::array>(), "target truth"),
-                                    to_integers(truth[2].cast<py::array>(), "symmetric truth")};
-  const cli::MeasuredMap measured = to_map(source, target, map);
-  const cli::Evaluation evaluation = run(how, [&](const Context& context) {
-    return cli::evaluate(source.shape(context), target.shape(context), measured, vertices, options,
-                         context);
+  const results::EvaluationOptions options{to_options<TruthOptions>(truth_keywords),
+                                           to_options<DistortionOptions>(distortion_keywords)};
+  const results::TruthVertices vertices{to_integers(truth[0].cast<py::array>(), "source truth"),
+                                        to_integers(truth[1].cast<py::array>(), "target truth"),
+                                        to_integers(truth[2].cast<py::array>(), "symmetric truth")};
+  const results::MeasuredMap measured = to_map(source, target, map);
+  const results::Evaluation evaluation = run(how, [&](const Context& context) {
+    return results::evaluate(source.shape(context), target.shape(context), measured, vertices,
+                             options, context);
   });
-  const std::string json = cli::to_json(evaluation).dump();
+  const std::string json = results::to_json(evaluation).dump();
   if (!per_vertex) return py::make_tuple(json, py::none(), py::none());
   const auto errors = [&](const std::vector<int>& at_target) {
     return errors_of(source, target, measured, vertices.source, at_target, how);

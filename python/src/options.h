@@ -17,7 +17,7 @@ namespace isomatch::python {
 
 /// The keyword of a field.
 inline std::string keyword(const char* field) {
-  std::string name = cli::option_name(field);
+  std::string name = results::option_name(field);
   std::ranges::replace(name, '-', '_');
   return name;
 }

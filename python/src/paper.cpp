@@ -18,22 +18,22 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-using cli::PaperRun;
+using results::PaperRun;
 
 const char* const kMethod = "paper";
 
 PaperRun match(const PreparedMesh& source, const PreparedMesh& target, const std::string& geodesics,
                unsigned long seed, const py::dict& keywords, const RunOptions& how) {
   const auto options = to_options<PaperOptions>(keywords);
-  cli::MatchInputs inputs = to_inputs(source, target);
+  results::MatchInputs inputs = to_inputs(source, target);
   Fit fit;
   PaperResult result = run(how, [&](const Context& context) {
     PaperResult found = match_paper(source.shape(context), target.shape(context), options,
-                                    cli::matching_part(context));
-    fit = cli::fit_of(inputs, found, context);
+                                    results::matching_part(context));
+    fit = results::fit_of(inputs, found, context);
     return found;
   });
-  cli::Json json = report_options(kMethod, seed, options);
+  results::Json json = report_options(kMethod, seed, options);
   json["geodesics"] = geodesics;
   // Shapes are prepared by now.
   const Shape& source_shape = source.shape({});
@@ -47,7 +47,7 @@ PaperRun match(const PreparedMesh& source, const PreparedMesh& target, const std
 }
 
 /// Matches and the distortion of each.
-py::tuple to_tuple(cli::MeasuredMatches measured) {
+py::tuple to_tuple(results::MeasuredMatches measured) {
   return py::make_tuple(to_array(std::move(measured.matches)),
                         adopt(std::move(measured.distortion)));
 }
@@ -56,7 +56,8 @@ py::array_t<int> first_bases(const Surface& surface, const std::vector<int>& bas
   return adopt(input_numbers(surface, std::span(bases).first(static_cast<std::size_t>(count))));
 }
 
-py::dict to_dict(const PaperRun& run, const cli::InputNumbers& numbers, const PaperLevel& level) {
+py::dict to_dict(const PaperRun& run, const results::InputNumbers& numbers,
+                 const PaperLevel& level) {
   const PaperResult& result = run.result;
   py::dict dict;
   dict["source_radius"] = level.source_radius;
@@ -73,14 +74,14 @@ py::dict to_dict(const PaperRun& run, const cli::InputNumbers& numbers, const Pa
 }
 
 py::list levels(const PaperRun& run) {
-  const cli::InputNumbers numbers(run.inputs, run.result);
+  const results::InputNumbers numbers(run.inputs, run.result);
   py::list list;
   for (const PaperLevel& level : run.result.levels) list.append(to_dict(run, numbers, level));
   return list;
 }
 
 py::dict points(const PaperRun& run) {
-  VertexMap map = cli::InputNumbers(run.inputs, run.result).source_to_target();
+  VertexMap map = results::InputNumbers(run.inputs, run.result).source_to_target();
   auto [triangles, barycentric] = to_arrays(corner_points(run.inputs.target.mesh, map));
   py::dict result;
   result["vertices"] = adopt(std::move(map));
@@ -90,16 +91,22 @@ py::dict points(const PaperRun& run) {
 }
 
 std::vector<std::string> files_of(const PaperRun& run) {
-  return cli::paper_files(static_cast<int>(run.result.levels.size()) - 1);
+  return results::paper_files(static_cast<int>(run.result.levels.size()) - 1);
 }
 
-void save(PaperRun& run, const SavedAs& saved) {
+void save(PaperRun& run, const SavedAs& saved, const RunOptions& how) {
   // Not the default method.
-  cli::Json defaults = report_options("tracked", 0, PaperOptions{});
+  results::Json defaults = report_options("tracked", 0, PaperOptions{});
   defaults["geodesics"] = "w20";
   rename(run.inputs, saved, command_line(saved, run.options, defaults));
-  const py::gil_scoped_release release;
-  cli::write_paper(make_plan(saved, files_of(run)), run);
+  results::Json report;
+  {
+    const py::gil_scoped_release release;
+    report = results::write_paper(make_plan(saved, files_of(run)), run);
+  }
+  if (!saved.page) return;
+  save_page(
+      saved, [&] { return results::shown_match(run, saved.folder, std::move(report)); }, how);
 }
 
 }  // namespace
@@ -111,7 +118,7 @@ void bind_paper(py::module_& module) {
       .def("correspondence",
            [](const PaperRun& run) {
              const PaperLevel& last = run.result.levels.back();
-             return to_array(cli::InputNumbers(run.inputs, run.result)
+             return to_array(results::InputNumbers(run.inputs, run.result)
                                  .translate(last.matches, last.distortion)
                                  .matches);
            })

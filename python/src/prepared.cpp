@@ -10,7 +10,7 @@
 
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
-#include "load.h"
+#include "results/loaded_mesh.h"
 
 namespace isomatch::python {
 namespace {
@@ -35,7 +35,7 @@ PreparedMesh::PreparedMesh(Mesh mesh, const std::string& geodesics)
 PreparedMesh::PreparedMesh(const std::string& path, Mesh mesh, const MeshReadReport& read_report,
                            const std::string& geodesics)
     : input_{path, std::move(mesh), read_report, {}, {}}, geodesics_(geodesic_options(geodesics)) {
-  Inspection inspection = cli::inspected(path, input_.mesh);
+  Inspection inspection = results::inspected(path, input_.mesh);
   input_.diagnosis = inspection.diagnosis;
   input_.surface = std::move(*inspection.surface);
 }
@@ -46,7 +46,7 @@ const Shape& PreparedMesh::shape(const Context& context) const {
   return *shape_;
 }
 
-cli::MatchInputs to_inputs(const PreparedMesh& source, const PreparedMesh& target) {
+results::MatchInputs to_inputs(const PreparedMesh& source, const PreparedMesh& target) {
   return {{}, std::filesystem::current_path().string(), source.input(), target.input(), {}};
 }
 

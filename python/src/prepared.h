@@ -28,21 +28,21 @@ class PreparedMesh {
                const std::string& geodesics);
 
   /// The mesh in the form in which the program has it, with an empty path if there is no file.
-  const cli::MatchInput& input() const { return input_; }
+  const results::MatchInput& input() const { return input_; }
   const Mesh& mesh() const { return input_.mesh; }
   const Surface& surface() const { return input_.surface; }
   /// Prepared when it is asked for, once.
   const Shape& shape(const Context& context) const;
 
  private:
-  cli::MatchInput input_;
+  results::MatchInput input_;
   GeodesicOptions geodesics_;
   mutable std::mutex preparing_;
   mutable std::optional<Shape> shape_;
 };
 
 /// Both meshes in the form in which the program has them.
-cli::MatchInputs to_inputs(const PreparedMesh& source, const PreparedMesh& target);
+results::MatchInputs to_inputs(const PreparedMesh& source, const PreparedMesh& target);
 
 /// `values` of the surface's vertices for every vertex of the mesh, NaN where it is not part of the
 /// surface.

@@ -58,7 +58,7 @@ py::tuple to_state(const TrackedMap& map) {
                         mirrored);
 }
 
-TrackedMap to_map(const cli::MatchInputs& inputs, const py::tuple& state) {
+TrackedMap to_map(const results::MatchInputs& inputs, const py::tuple& state) {
   check(state.size() == 9);
   TrackedMap map;
   map.source_to_target = points(state[0]);
@@ -86,7 +86,7 @@ py::tuple to_state(const TrackedResult& result) {
                         to_state(times));
 }
 
-TrackedResult to_tracked_result(const cli::MatchInputs& inputs, const py::tuple& state) {
+TrackedResult to_tracked_result(const results::MatchInputs& inputs, const py::tuple& state) {
   check(state.size() == 6);
   TrackedResult result;
   for (const py::handle map : state[0])
@@ -134,7 +134,7 @@ py::tuple to_state(const PaperResult& result) {
                         to_state(times));
 }
 
-PaperResult to_paper_result(const cli::MatchInputs& inputs, const py::tuple& state) {
+PaperResult to_paper_result(const results::MatchInputs& inputs, const py::tuple& state) {
   check(state.size() == 6);
   PaperResult result;
   result.source_bases = integers(state[0]);
@@ -153,14 +153,14 @@ PaperResult to_paper_result(const cli::MatchInputs& inputs, const py::tuple& sta
 
 py::tuple to_state(const TrackedMatch& match) {
   py::list fits;
-  for (const Fit& fit : match.fits) fits.append(cli::to_json(fit).dump());
+  for (const Fit& fit : match.fits) fits.append(results::to_json(fit).dump());
   return py::make_tuple(match.options.dump(), to_state(match.result), fits,
                         to_array(match.contradicted_landmarks), match.has_inverse);
 }
 
-py::tuple to_state(const cli::PaperRun& run) {
+py::tuple to_state(const results::PaperRun& run) {
   return py::make_tuple(run.options.dump(), to_state(run.result), run.max_geodesics,
-                        cli::to_json(run.fit).dump());
+                        results::to_json(run.fit).dump());
 }
 
 TrackedMatch to_tracked(const PreparedMesh& source, const PreparedMesh& target,
@@ -168,24 +168,24 @@ TrackedMatch to_tracked(const PreparedMesh& source, const PreparedMesh& target,
   check(state.size() == 5);
   TrackedMatch match;
   match.inputs = to_inputs(source, target);
-  match.options = cli::Json::parse(state[0].cast<std::string>());
+  match.options = results::Json::parse(state[0].cast<std::string>());
   match.result = to_tracked_result(match.inputs, state[1].cast<py::tuple>());
   for (const auto& fit : state[2].cast<std::vector<std::string>>())
-    match.fits.push_back(cli::to_fit(cli::Json::parse(fit)));
+    match.fits.push_back(results::to_fit(results::Json::parse(fit)));
   match.contradicted_landmarks = to_matches(state[3].cast<py::array>(), "state");
   match.has_inverse = state[4].cast<bool>();
   check(match.fits.size() == match.result.maps.size());
   return match;
 }
 
-cli::PaperRun to_paper(const PreparedMesh& source, const PreparedMesh& target,
-                       const py::tuple& state) {
+results::PaperRun to_paper(const PreparedMesh& source, const PreparedMesh& target,
+                           const py::tuple& state) {
   check(state.size() == 4);
-  cli::MatchInputs inputs = to_inputs(source, target);
+  results::MatchInputs inputs = to_inputs(source, target);
   PaperResult result = to_paper_result(inputs, state[1].cast<py::tuple>());
-  return {std::move(inputs), cli::Json::parse(state[0].cast<std::string>()), std::move(result),
+  return {std::move(inputs), results::Json::parse(state[0].cast<std::string>()), std::move(result),
           state[2].cast<std::array<double, 2>>(),
-          cli::to_fit(cli::Json::parse(state[3].cast<std::string>()))};
+          results::to_fit(results::Json::parse(state[3].cast<std::string>()))};
 }
 
 }  // namespace isomatch::python

@@ -12,20 +12,20 @@
 namespace isomatch::python {
 
 /// A match by the tracked method.
-struct TrackedMatch : cli::TrackedRun {
+struct TrackedMatch : results::TrackedRun {
   /// Whether its maps have the inverse that the method made. Where a folder does not, the inverse
   /// says of the best map what its relation of vertices says, and nothing of the others.
   bool has_inverse = true;
 };
 
 pybind11::tuple to_state(const TrackedMatch& match);
-pybind11::tuple to_state(const cli::PaperRun& run);
+pybind11::tuple to_state(const results::PaperRun& run);
 
 /// The match between the same meshes of which `state` was made. Throws `InvalidInput` if it does
 /// not fit them.
 TrackedMatch to_tracked(const PreparedMesh& source, const PreparedMesh& target,
                         const pybind11::tuple& state);
-cli::PaperRun to_paper(const PreparedMesh& source, const PreparedMesh& target,
-                       const pybind11::tuple& state);
+results::PaperRun to_paper(const PreparedMesh& source, const PreparedMesh& target,
+                           const pybind11::tuple& state);
 
 }  // namespace isomatch::python

@@ -30,20 +30,21 @@ TrackedMatch match(const PreparedMesh& source, const PreparedMesh& target,
   match.inputs = to_inputs(source, target);
   match.options = report_options(kMethod, seed, options);
   const std::vector<Match> pairs = to_matches(landmarks, "landmarks");
-  options.landmarks = cli::surface_landmarks(match.inputs, pairs);
+  options.landmarks = results::surface_landmarks(match.inputs, pairs);
   match.result = run(how, [&](const Context& context) {
     TrackedResult result =
-        match_tracked(source.surface(), target.surface(), options, cli::matching_part(context));
-    match.fits = cli::fits_of(match.inputs, result, context);
+        match_tracked(source.surface(), target.surface(), options, results::matching_part(context));
+    match.fits = results::fits_of(match.inputs, result, context);
     return result;
   });
-  match.contradicted_landmarks = cli::contradicted_pairs(match.inputs, match.result, pairs);
+  match.contradicted_landmarks = results::contradicted_pairs(match.inputs, match.result, pairs);
   return match;
 }
 
 /// A map from one mesh onto another in both forms.
-py::dict map_dict(const cli::MatchInput& from, const cli::MatchInput& onto, const SurfaceMap& map) {
-  return to_dict(onto.mesh, cli::input_points(from, onto, map));
+py::dict map_dict(const results::MatchInput& from, const results::MatchInput& onto,
+                  const SurfaceMap& map) {
+  return to_dict(onto.mesh, results::input_points(from, onto, map));
 }
 
 py::dict figures(const TrackedMap& map) {
@@ -58,7 +59,7 @@ py::dict figures(const TrackedMap& map) {
 }
 
 py::array_t<double> registered(const TrackedMatch& run, const TrackedMap& map) {
-  const cli::MatchInput& source = run.inputs.source;
+  const results::MatchInput& source = run.inputs.source;
   return to_array(input_pose(source.mesh, source.surface, map.registered).vertices);
 }
 
@@ -71,21 +72,28 @@ py::list hypotheses(const TrackedMatch& run) {
 }
 
 std::vector<std::string> files_of(const TrackedMatch& run, const SavedAs& saved) {
-  return cli::tracked_files(static_cast<int>(run.result.maps.size()) - 1, saved.target_to_source);
+  return results::tracked_files(static_cast<int>(run.result.maps.size()) - 1,
+                                saved.target_to_source);
 }
 
-void save(TrackedMatch& run, const SavedAs& saved) {
+void save(TrackedMatch& run, const SavedAs& saved, const RunOptions& how) {
   run.options.erase("landmarks_escaped");
-  run.options["landmarks"] = cli::Json();
-  if (!saved.landmarks.empty()) cli::set_path(run.options, "landmarks", saved.landmarks);
+  run.options["landmarks"] = results::Json();
+  if (!saved.landmarks.empty()) results::set_path(run.options, "landmarks", saved.landmarks);
   run.options["target-to-source"] = saved.target_to_source;
   run.target_to_source = saved.target_to_source;
-  cli::Json defaults = report_options(kMethod, 0, TrackedOptions{});
-  defaults["landmarks"] = cli::Json();
+  results::Json defaults = report_options(kMethod, 0, TrackedOptions{});
+  defaults["landmarks"] = results::Json();
   defaults["target-to-source"] = false;
   rename(run.inputs, saved, command_line(saved, run.options, defaults));
-  const py::gil_scoped_release release;
-  cli::write_tracked(make_plan(saved, files_of(run, saved)), run);
+  results::Json report;
+  {
+    const py::gil_scoped_release release;
+    report = results::write_tracked(make_plan(saved, files_of(run, saved)), run);
+  }
+  if (!saved.page) return;
+  save_page(
+      saved, [&] { return results::shown_match(run, saved.folder, std::move(report)); }, how);
 }
 
 }  // namespace
@@ -111,10 +119,10 @@ void bind_tracked(py::module_& module) {
            [](const TrackedMatch& run, std::size_t k) { return figures(run.result.maps.at(k)); })
       .def("correspondence",
            [](const TrackedMatch& run) {
-             return to_array(cli::input_matches(run.inputs, run.result.maps.front()));
+             return to_array(results::input_matches(run.inputs, run.result.maps.front()));
            })
       .def_property_readonly("hypotheses", hypotheses)
-      .def_property_readonly("doubts", [](const TrackedMatch& run) { return cli::doubts(run); })
+      .def_property_readonly("doubts", [](const TrackedMatch& run) { return results::doubts(run); })
       .def("fit", [](const TrackedMatch& run, std::size_t k) { return to_dict(run.fits.at(k)); })
       .def_property_readonly(
           "contradicted_landmarks",

@@ -12,7 +12,7 @@ namespace {
 
 /// The points of the target at which each source vertex has a match.
 std::vector<SurfaceMap> images(const Surface& source, const Surface& target,
-                               const cli::MeasuredMap& map) {
+                               const results::MeasuredMap& map) {
   std::vector<SurfaceMap> result(source.num_vertices());
   if (map.points) {
     for (std::size_t v = 0; v < result.size(); ++v) {
@@ -29,7 +29,7 @@ std::vector<SurfaceMap> images(const Surface& source, const Surface& target,
 }  // namespace
 
 std::vector<double> vertex_errors(const PreparedMesh& source, const PreparedMesh& target,
-                                  const cli::MeasuredMap& map, std::span<const int> at_source,
+                                  const results::MeasuredMap& map, std::span<const int> at_source,
                                   std::span<const int> at_target, const Context& context) {
   const GroundTruth truth = surface_truth(source.surface(), target.surface(), at_source, at_target);
   const std::vector<SurfaceMap> points = images(source.surface(), target.surface(), map);

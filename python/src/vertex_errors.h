@@ -15,7 +15,7 @@ namespace isomatch::python {
 /// several matches; NaN where there is no truth or no match. Point i of the truth is at these input
 /// vertices. All errors are computed. Throws `InvalidInput`.
 std::vector<double> vertex_errors(const PreparedMesh& source, const PreparedMesh& target,
-                                  const cli::MeasuredMap& map, std::span<const int> at_source,
+                                  const results::MeasuredMap& map, std::span<const int> at_source,
                                   std::span<const int> at_target, const Context& context);
 
 }  // namespace isomatch::python

@@ -168,6 +168,17 @@ def test_folders_are_loaded(given, tmp_path):
     assert reports[0] == reports[1]
 
 
+@pytest.mark.skipif(not isomatch._core.has_page(), reason="built without the page of a report")
+def test_a_saved_page_is_that_of_its_folder(given, pose1, pose2, program, tmp_path):
+    for match in given, isomatch.match(pose1, pose2, method=given.method):
+        match.save(tmp_path, report=True)
+        page = (tmp_path / "report.html").read_bytes()
+        report = (tmp_path / "report.json").read_bytes()
+        program("report", tmp_path)
+        assert (tmp_path / "report.html").read_bytes() == page
+        assert (tmp_path / "report.json").read_bytes() == report
+
+
 @pytest.mark.parametrize("flags", [["--alternatives", 1], ["--method", "paper", "--levels", 2]])
 def test_folders_of_the_program_are_loaded(files, program, tmp_path, flags):
     pair = files / "source.off", files / "target.ply"

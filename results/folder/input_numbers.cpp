@@ -10,7 +10,7 @@
 #include "isomatch/error.h"
 #include "isomatch/measure/metrics.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 void sort_by_match(MeasuredMatches& measured) {
@@ -107,4 +107,4 @@ Correspondence surface_landmarks(const MatchInputs& inputs, const std::vector<Ma
   return landmarks;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -11,7 +11,7 @@
 #include "results/folder/measured_matches.h"
 
 /// Between the numbers of the surfaces, on which methods work, and those of the input meshes.
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// Turns matches between the bases of a result of the paper's method into matches between input
 /// vertices. Keeps references.
@@ -39,4 +39,4 @@ Correspondence input_matches(const MatchInputs& inputs, const TrackedMap& map);
 /// range or not part of the surface, or a source vertex has two landmarks.
 Correspondence surface_landmarks(const MatchInputs& inputs, const std::vector<Match>& pairs);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

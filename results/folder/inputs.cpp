@@ -7,10 +7,9 @@
 #include <future>
 #include <utility>
 
-#include "load.h"
-#include "results/evaluation.h"
+#include "results/loaded_mesh.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 MatchInput read(const std::string& path) {
@@ -42,18 +41,11 @@ void for_both(const Context& context, const Work& work) {
 
 }  // namespace
 
-ResultPlan make_plan(const MatchArguments& arguments, std::vector<std::string> files,
-                     const std::string& more) {
-  if (arguments.page) files.emplace_back(kPage);
-  return {arguments.folder, std::move(files),
-          InputFiles({arguments.source, arguments.target, arguments.truth.source,
-                      arguments.truth.target, more})};
-}
-
-MatchInputs load_inputs(const MatchArguments& arguments, const Context& context) {
-  MatchInputs inputs{arguments.words, std::filesystem::current_path().string(), {}, {}, {}};
+MatchInputs load_inputs(const std::string& source, const std::string& target,
+                        const TruthFiles& truth, const Warn& warn, const Context& context) {
+  MatchInputs inputs{{}, std::filesystem::current_path().string(), {}, {}, {}};
   const std::array both{&inputs.source, &inputs.target};
-  const std::array paths{arguments.source, arguments.target};
+  const std::array paths{source, target};
   const auto timed = [&](std::string_view stage, double begun, const auto& work) {
     context.report(begun, stage);
     const StageTimer timer(inputs.times, stage);
@@ -64,13 +56,8 @@ MatchInputs load_inputs(const MatchArguments& arguments, const Context& context)
   for (const MatchInput* input : both)
     for (const std::string& warning : input->read_report.warnings) warn(input->path, warning);
   timed("diagnosis", kLoaded / 4, [&](int side) { inspect_input(*both[side]); });
-  check_truth(arguments.truth, inputs);
+  check_truth(truth, inputs);
   return inputs;
-}
-
-void warn_of_defects(const MatchInputs& inputs) {
-  for (const MatchInput* input : {&inputs.source, &inputs.target})
-    for (const std::string& warning : input->diagnosis.warnings()) warn(input->path, warning);
 }
 
 std::vector<std::vector<int>> input_vertices(const Surface& surface) {
@@ -90,4 +77,4 @@ Context matching_part(const Context& context) {
   return part;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -8,10 +8,10 @@
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/mesh/diagnosis.h"
 #include "isomatch/stage_times.h"
-#include "match/method.h"
-#include "results/folder/result_folder.h"
+#include "results/evaluation.h"
+#include "results/warn.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 struct MatchInput {
   std::string path;
@@ -29,17 +29,11 @@ struct MatchInputs {
   std::vector<StageTime> times;
 };
 
-/// What `isomatch match` is going to write besides `files` of its method: the page, if it is asked
-/// for. Of what it reads nothing may be touched, nor `more`, which may be empty.
-ResultPlan make_plan(const MatchArguments& arguments, std::vector<std::string> files,
-                     const std::string& more = "");
-
-/// Reads and inspects both meshes, at the same time if there are threads, and checks the truth
-/// against them. Reports progress up to `kLoaded`. Throws `BadFile`.
-MatchInputs load_inputs(const MatchArguments& arguments, const Context& context);
-
-/// Tells of all defects on standard error, where no summary does.
-void warn_of_defects(const MatchInputs& inputs);
+/// Reads and inspects the meshes in the files `source` and `target`, at the same time if there are
+/// threads, and checks `truth`, if there is one, against them. Reports progress up to `kLoaded`.
+/// What readers warn of goes to `warn`, the source's first. `words` stay empty. Throws `BadFile`.
+MatchInputs load_inputs(const std::string& source, const std::string& target,
+                        const TruthFiles& truth, const Warn& warn, const Context& context);
 
 /// Input vertices of each surface vertex: several where a seam was joined.
 std::vector<std::vector<int>> input_vertices(const Surface& surface);
@@ -50,4 +44,4 @@ inline constexpr double kLoaded = 0.03, kMatched = 0.94, kJudged = 0.98;
 /// `context` for matching, with its progress between these fractions. Keeps a reference.
 Context matching_part(const Context& context);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -6,7 +6,7 @@
 
 #include "isomatch/maps/correspondence.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// A sorted correspondence with the isometric distortion of each match.
 struct MeasuredMatches {
@@ -14,4 +14,4 @@ struct MeasuredMatches {
   std::vector<double> distortion;
 };
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

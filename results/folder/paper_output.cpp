@@ -5,12 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "isomatch/io/map_io.h"
 #include "results/folder/input_numbers.h"
 #include "results/folder/report.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 Json distortion_json(const std::vector<double>& d_iso) {
@@ -52,15 +53,14 @@ std::string level_file(std::size_t level, std::string_view name) {
   return fmt::format("levels/{:02}.{}.txt", level, name);
 }
 
-void write_levels(ResultFolder& folder, const PaperResult& result, const InputNumbers& numbers) {
-  for (std::size_t k = 0; k < result.levels.size(); ++k) {
-    const PaperLevel& level = result.levels[k];
-    const auto write = [&](std::string_view name, const MeasuredMatches& measured) {
-      write_correspondence(folder.add(level_file(k, name)), measured.matches, measured.distortion);
-    };
-    write("correspondence", numbers.translate(level.matches, level.distortion));
-    write("many_to_one",
-          numbers.translate(to_correspondence(level.many_to_one), level.many_to_one_distortion));
+void write_matches(ResultFolder& folder, const std::string& name, const MeasuredMatches& measured) {
+  write_correspondence(folder.add(name), measured.matches, measured.distortion);
+}
+
+void write_levels(ResultFolder& folder, const std::vector<ResultLevel>& levels) {
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    write_matches(folder, level_file(k, "correspondence"), levels[k].many_to_many);
+    write_matches(folder, level_file(k, "many_to_one"), levels[k].many_to_one);
   }
 }
 
@@ -75,21 +75,34 @@ std::vector<std::string> paper_files(int max_levels) {
   return files;
 }
 
-void write_paper(const ResultPlan& plan, const PaperRun& run) {
+ResultMap result_map(const PaperRun& run) {
+  VertexMap vertices = InputNumbers(run.inputs, run.result).source_to_target();
+  SurfaceMap points = corner_points(run.inputs.target.mesh, vertices);
+  return {{}, std::move(vertices), std::move(points), {}};
+}
+
+std::vector<ResultLevel> result_levels(const PaperRun& run) {
+  const InputNumbers numbers(run.inputs, run.result);
+  std::vector<ResultLevel> levels;
+  for (const PaperLevel& level : run.result.levels)
+    levels.push_back(
+        {numbers.translate(level.matches, level.distortion),
+         numbers.translate(to_correspondence(level.many_to_one), level.many_to_one_distortion)});
+  return levels;
+}
+
+Json write_paper(const ResultPlan& plan, const PaperRun& run) {
   std::vector<StageTime> times = joined(run.inputs.times, run.result.times);
   ResultFolder folder(plan);
   {
     const StageTimer timer(times, "writing");
-    const InputNumbers numbers(run.inputs, run.result);
-    const PaperLevel& last = run.result.levels.back();
-    const MeasuredMatches final_matches = numbers.translate(last.matches, last.distortion);
-    write_levels(folder, run.result, numbers);
-    write_correspondence(folder.add("correspondence.txt"), final_matches.matches,
-                         final_matches.distortion);
-    write_source_to_target(folder.add("source_to_target.txt"), numbers.source_to_target());
+    const std::vector<ResultLevel> levels = result_levels(run);
+    write_levels(folder, levels);
+    write_matches(folder, "correspondence.txt", levels.back().many_to_many);
+    write_source_to_target(folder.add("source_to_target.txt"), result_map(run).source_to_target);
     folder.write_json("levels.json", levels_json(run.result));
   }
-  folder.write_report(report_json(run, times));
+  return folder.write_report(report_json(run, times));
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -2,13 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "results/folder/report.h"
 
-#include <fmt/format.h>
-
 #include "isomatch/version.h"
-#include "load.h"
-#include "progress_bar.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 Json input_json(const MatchInput& input) {
@@ -54,25 +50,4 @@ Json options_json(const std::string& method, unsigned long seed) {
   return {{"method", method}, {"seed", seed}};
 }
 
-void print_outcome(const MatchInputs& inputs, const Summary& summary, const Fit& fit,
-                   const std::string& folder, bool quiet) {
-  std::vector<std::string> all = remarks(fit);
-  all.insert(all.end(), summary.remarks.begin(), summary.remarks.end());
-  if (quiet) {
-    for (const std::string& remark : all) warn(remark);
-    warn_of_defects(inputs);
-    return;
-  }
-  ProgressBar::make_room();
-  for (const std::string& line : summary.lines) fmt::print("{}\n", line);
-  fmt::print("{}\n", describe(fit));
-  for (const std::string& remark : all) fmt::print("! {}\n", remark);
-  for (const auto& [name, input] :
-       {std::pair{"source", &inputs.source}, {"target", &inputs.target}}) {
-    for (const std::string& warning : input->diagnosis.warnings())
-      fmt::print("! {}: {}\n", name, warning);
-  }
-  fmt::print("written to {}\n", folder);
-}
-
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

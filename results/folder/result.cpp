@@ -10,9 +10,9 @@
 #include "isomatch/error.h"
 #include "isomatch/io/map_io.h"
 #include "isomatch/io/mesh_io.h"
-#include "results/folder/written_files.h"
+#include "results/files/written_files.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,6 +106,11 @@ MatchResult load_result(const std::string& folder, const MeshPlaces& places) {
   return result;
 }
 
+Correspondence load_relation(const MatchResult& result) {
+  return read_correspondence(result.path("correspondence.txt"),
+                             {result.source.num_vertices(), result.target.num_vertices()});
+}
+
 const ResultMap& chosen_map(const MatchResult& result, std::size_t alternative) {
   if (alternative >= result.maps.size())
     throw BadFile(result.folder, fmt::format("has no alternative {}", alternative));
@@ -120,4 +125,4 @@ std::vector<Point> images(const Mesh& target, const ResultMap& map) {
   return result;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -8,10 +8,10 @@
 #include "isomatch/maps/correspondence.h"
 #include "isomatch/maps/surface_map.h"
 #include "isomatch/mesh/mesh.h"
-#include "results/folder/input_files.h"
+#include "results/files/input_files.h"
 #include "results/json.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// One map of a result folder, in the numbers of the input files.
 struct ResultMap {
@@ -56,10 +56,13 @@ InputFiles result_inputs(const std::string& folder, const MeshPlaces& places = {
 /// is missing, malformed, or a mesh is not the one that was matched.
 MatchResult load_result(const std::string& folder, const MeshPlaces& places = {});
 
+/// The many-to-many relation of the best map of a folder. Throws `BadFile`.
+Correspondence load_relation(const MatchResult& result);
+
 /// The best map, or an alternative, counted from one. Throws `BadFile` if there is none.
 const ResultMap& chosen_map(const MatchResult& result, std::size_t alternative);
 
 /// Where each source vertex lands; the origin where it is unmatched.
 std::vector<Point> images(const Mesh& target, const ResultMap& map);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -9,8 +9,9 @@
 #include "isomatch/error.h"
 #include "isomatch/io/atomic_file.h"
 #include "isomatch/version.h"
+#include "results/files/outputs.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,9 +72,10 @@ std::string ResultFolder::add(const std::string& name) {
   return file.string();
 }
 
-void ResultFolder::write_report(Json report) {
-  write_listing(path_.string(), kReport, std::move(report), files_);
+Json ResultFolder::write_report(Json report) {
+  Json listed = write_listing(path_.string(), kReport, std::move(report), files_);
   remove_file(path_, kUnfinished);
+  return listed;
 }
 
 void ResultFolder::write_json(const std::string& name, const Json& json) {
@@ -82,4 +84,4 @@ void ResultFolder::write_json(const std::string& name, const Json& json) {
   file.commit();
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "results/folder/input_files.h"
-#include "results/folder/written_files.h"
+#include "results/files/input_files.h"
+#include "results/files/written_files.h"
 #include "results/json.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// Which files results consist of, seen from their folder.
 struct ResultPlan {
@@ -40,7 +40,8 @@ class ResultFolder {
   std::string add(const std::string& name);
   /// Writes the report with the list of files. It comes last and tells that the results are
   /// complete.
-  void write_report(Json report);
+  /// Returns it with the list.
+  Json write_report(Json report);
   void write_json(const std::string& name, const Json& json);
 
  private:
@@ -48,4 +49,4 @@ class ResultFolder {
   std::vector<std::string> files_;
 };
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

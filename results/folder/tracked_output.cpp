@@ -11,7 +11,7 @@
 #include "results/folder/input_numbers.h"
 #include "results/folder/report.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 int count_points(const SurfaceMap& map) {
@@ -20,28 +20,28 @@ int count_points(const SurfaceMap& map) {
 }
 
 /// Writes a map in both forms, as `stem`.txt and `stem`.bary.txt.
-void write_points(ResultFolder& folder, const std::string& stem, const MatchInput& onto,
-                  const SurfaceMap& map) {
-  write_source_to_target(folder.add(stem + ".txt"), nearest_vertices(onto.mesh, map));
-  write_surface_map(folder.add(stem + ".bary.txt"), map);
-}
-
-/// `place` is the map's folder with a slash, or empty.
-void write_map(ResultFolder& folder, const std::string& place, const TrackedRun& run,
-               const TrackedMap& map) {
-  const MatchInput& source = run.inputs.source;
-  const MatchInput& target = run.inputs.target;
-  write_points(folder, place + "source_to_target", target,
-               input_points(source, target, map.source_to_target));
-  if (run.target_to_source)
-    write_points(folder, place + "target_to_source", source,
-                 input_points(target, source, map.target_to_source));
-  write_mesh(folder.add(place + "registered.ply"),
-             input_pose(source.mesh, source.surface, map.registered));
+void write_points(ResultFolder& folder, const std::string& stem, const VertexMap& vertices,
+                  const SurfaceMap& points) {
+  write_source_to_target(folder.add(stem + ".txt"), vertices);
+  write_surface_map(folder.add(stem + ".bary.txt"), points);
 }
 
 std::string alternative_folder(std::size_t number) {
   return fmt::format("alternatives/{}", number);
+}
+
+void write_map(ResultFolder& folder, const TrackedRun& run, std::size_t k) {
+  const MatchInput& source = run.inputs.source;
+  const ResultMap map = result_map(run, k);
+  const std::string place = map.folder.empty() ? "" : map.folder + "/";
+  write_points(folder, place + "source_to_target", map.source_to_target, map.points);
+  if (run.target_to_source) {
+    const SurfaceMap inverse =
+        input_points(run.inputs.target, source, run.result.maps[k].target_to_source);
+    write_points(folder, place + "target_to_source", nearest_vertices(source.mesh, inverse),
+                 inverse);
+  }
+  write_mesh(folder.add(place + "registered.ply"), {map.registered, source.mesh.faces});
 }
 
 Json map_json(const TrackedMap& map) {
@@ -151,21 +151,29 @@ int matched_vertices(const TrackedRun& run, const TrackedMap& map) {
   return count_points(input_points(run.inputs.source, run.inputs.target, map.source_to_target));
 }
 
-void write_tracked(const ResultPlan& plan, const TrackedRun& run) {
+ResultMap result_map(const TrackedRun& run, std::size_t k) {
+  const MatchInput &source = run.inputs.source, &target = run.inputs.target;
+  const TrackedMap& map = run.result.maps[k];
+  SurfaceMap points = input_points(source, target, map.source_to_target);
+  VertexMap vertices = nearest_vertices(target.mesh, points);
+  return {k == 0 ? "" : alternative_folder(k), std::move(vertices), std::move(points),
+          input_pose(source.mesh, source.surface, map.registered).vertices};
+}
+
+Json write_tracked(const ResultPlan& plan, const TrackedRun& run) {
   const std::vector<TrackedMap>& maps = run.result.maps;
   std::vector<StageTime> times = joined(run.inputs.times, run.result.times);
   ResultFolder folder(plan);
   std::size_t num_matches = 0;
   {
     const StageTimer timer(times, "writing");
-    write_map(folder, "", run, maps.front());
+    write_map(folder, run, 0);
     const Correspondence relation = input_matches(run.inputs, maps.front());
     write_correspondence(folder.add("correspondence.txt"), relation);
     num_matches = relation.size();
-    for (std::size_t k = 1; k < maps.size(); ++k)
-      write_map(folder, alternative_folder(k) + "/", run, maps[k]);
+    for (std::size_t k = 1; k < maps.size(); ++k) write_map(folder, run, k);
   }
-  folder.write_report(report_json(run, num_matches, times));
+  return folder.write_report(report_json(run, num_matches, times));
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

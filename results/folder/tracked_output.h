@@ -6,11 +6,12 @@
 
 #include "isomatch/methods/tracked.h"
 #include "results/folder/inputs.h"
+#include "results/folder/result.h"
 #include "results/folder/result_folder.h"
 #include "results/folder/verdict.h"
 #include "results/json.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// Everything that a match by the tracked method leaves behind.
 struct TrackedRun {
@@ -41,10 +42,13 @@ std::vector<std::string> doubts(const TrackedRun& run);
 /// - registered.ply: the source in the target's pose;
 /// - correspondence.txt: the many-to-many relation of the best map;
 /// - alternatives/K/: the maps of the alternatives, from 1, under the same names;
-/// - report.json.
-void write_tracked(const ResultPlan& plan, const TrackedRun& run);
+/// - report.json, which is returned.
+Json write_tracked(const ResultPlan& plan, const TrackedRun& run);
+
+/// Map K of `run`, 0 the best, as it is written: in the numbers of the input files.
+ResultMap result_map(const TrackedRun& run, std::size_t k);
 
 /// The names of what it may write, with this many alternatives at most; but for report.json.
 std::vector<std::string> tracked_files(int alternatives, bool target_to_source);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

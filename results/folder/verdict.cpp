@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 constexpr const char* kStage = "fit";
@@ -105,4 +105,4 @@ std::vector<std::string> remarks(const Fit& fit) {
   return lines;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

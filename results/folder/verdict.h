@@ -12,7 +12,7 @@
 #include "results/json.h"
 
 /// What the program says of a map that it made.
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// `judge_fit` of each map; not good either if a shape has a grave defect, if landmarks contradict
 /// the shapes, or if an alternative fits far worse than the best map. A stage of its own, which is
@@ -31,4 +31,4 @@ std::string describe(const Fit& fit);
 /// Why the fit is not good, with the grade, a line each; none of a good one.
 std::vector<std::string> remarks(const Fit& fit);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -6,7 +6,7 @@
 
 #include "isomatch/error.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 std::vector<std::uint32_t> deltas(std::span<const std::uint32_t> values) {
@@ -72,4 +72,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -9,7 +9,7 @@
 
 #include "results/json.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// Packs arrays of unsigned integers into one compressed block of text, for a page that unpacks
 /// them again (viewer/src/data/arrays.ts).
@@ -40,4 +40,4 @@ std::uint32_t zigzag(std::int32_t value);
 /// `bytes` as text of 64 letters (RFC 4648).
 std::string base64(std::string_view bytes);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -9,7 +9,7 @@
 
 #include "geometry/point_tree.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 using Index = unsigned int;
@@ -93,4 +93,4 @@ DisplayMesh display_mesh(const Mesh& mesh, int max_vertices) {
   return display;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

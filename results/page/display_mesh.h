@@ -6,7 +6,7 @@
 
 #include "isomatch/mesh/mesh.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// A mesh as a page shows it: its vertices renumbered so that neighbours lie together, simplified
 /// if there are too many.
@@ -25,4 +25,4 @@ inline constexpr int kMaxShownVertices = 200000;
 /// Faces begin with their lowest vertex and ascend by their vertices. O(N log N).
 DisplayMesh display_mesh(const Mesh& mesh, int max_vertices = kMaxShownVertices);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -8,9 +8,9 @@
 #include "geometry/point_tree.h"
 #include "isomatch/error.h"
 #include "isomatch/measure/metrics.h"
-#include "load.h"
+#include "results/loaded_mesh.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
@@ -114,4 +114,4 @@ std::vector<MapMeasures> measure_maps(const MatchResult& result,
   return measures;
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

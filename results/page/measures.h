@@ -8,10 +8,10 @@
 
 #include "isomatch/context.h"
 #include "results/evaluation.h"
+#include "results/folder/levels.h"
 #include "results/folder/result.h"
-#include "results/page/levels.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// How good a map is at each vertex of the source's file; NaN where it was not measured.
 struct MapMeasures {
@@ -32,4 +32,4 @@ std::vector<MapMeasures> measure_maps(const MatchResult& result,
                                       const std::vector<ResultLevel>& levels,
                                       const TruthFiles& truth, const Context& context);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "results/page/template.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 std::string_view page_template() { return {}; }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -7,10 +7,11 @@
 
 #include "isomatch/error.h"
 #include "isomatch/io/atomic_file.h"
-#include "results/folder/written_files.h"
+#include "results/files/outputs.h"
+#include "results/files/written_files.h"
 #include "results/page/template.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 constexpr std::string_view kManifestElement =
@@ -76,20 +77,20 @@ void check_page_output(const std::string& path, const std::string& folder, const
   if (is_own_page(path, folder)) check_replaceable(folder, {kPage}, Listing::kOfMatch, inputs);
 }
 
-void write_page(const std::string& path, const std::string& folder, const MeshPlaces& places,
-                const PageOptions& options, const Context& context) {
+void write_page(const std::string& path, ShownMatch match, const PageOptions& options,
+                const Context& context) {
   check_page_available();
-  context.report(0, "reading");
-  MatchResult result = load_result(folder, places);
+  const std::string folder = match.result.folder;
+  const Json report = match.result.report;
   const bool is_own = is_own_page(path, folder);
   // The page shows the report as it will be.
-  if (is_own) result.report = with_file(std::move(result.report), kPage);
+  if (is_own) match.result.report = with_file(report, kPage);
   const std::string page =
-      filled_page(page_template(), page_data(std::move(result), options, context));
+      filled_page(page_template(), page_data(std::move(match), options, context));
   AtomicFile file(path);
   file.write(page);
   file.commit();
-  if (is_own) list_in_report(folder, kPage);
+  if (is_own) list_in_report(folder, report, kPage);
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

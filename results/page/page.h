@@ -7,7 +7,7 @@
 
 #include "results/page/page_data.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// Throws `InvalidInput` that says what is missing if this program was built without the page's
 /// template. For use before long work.
@@ -22,9 +22,9 @@ std::string filled_page(std::string_view page, const PageData& data);
 void check_page_output(const std::string& path, const std::string& folder, const MeshPlaces& places,
                        const TruthFiles& truth);
 
-/// Writes a page that shows the result in `folder` (see `load_result`) to `path`. The folder's own
-/// page, report.html, is added to the list of its files. Throws `BadFile` and `InvalidInput`.
-void write_page(const std::string& path, const std::string& folder, const MeshPlaces& places,
-                const PageOptions& options, const Context& context);
+/// Writes a page that shows `match` to `path`. The page of the match's own folder, report.html, is
+/// added to the list of the folder's files. Throws `BadFile` and `InvalidInput`.
+void write_page(const std::string& path, ShownMatch match, const PageOptions& options,
+                const Context& context);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

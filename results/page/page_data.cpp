@@ -7,10 +7,11 @@
 #include <cmath>
 
 #include "geometry/point_tree.h"
+#include "results/drawing/drawable.h"
 #include "results/page/array_packer.h"
 #include "results/page/display_mesh.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 using Values = std::vector<std::uint32_t>;
@@ -175,10 +176,10 @@ Json colors_json(const MatchResult& result, const PairView& view) {
 }
 
 /// Maps and levels.
-void add_results(Packing& packing, const MatchResult& result,
-                 const std::vector<ResultLevel>& levels, const std::vector<MapMeasures>& measures,
-                 Json& manifest) {
-  const std::vector<bool> target_matched = matched_targets(result);
+void add_results(Packing& packing, const ShownMatch& match,
+                 const std::vector<MapMeasures>& measures, Json& manifest) {
+  const auto& [result, relation, levels] = match;
+  const std::vector<bool> target_matched = matched_targets(result.target, relation);
   manifest["maps"] = Json::array();
   for (std::size_t k = 0; k < result.maps.size(); ++k)
     manifest["maps"].push_back(add_map(packing, result, result.maps[k], measures[k], target_matched,
@@ -191,9 +192,10 @@ void add_results(Packing& packing, const MatchResult& result,
 
 }  // namespace
 
-PageData page_data(MatchResult result, const PageOptions& options, const Context& context) {
-  const std::vector<ResultLevel> levels = load_levels(result);
-  const std::vector<MapMeasures> measures = measure_maps(result, levels, options.truth, context);
+PageData page_data(ShownMatch match, const PageOptions& options, const Context& context) {
+  MatchResult& result = match.result;
+  const std::vector<MapMeasures> measures =
+      measure_maps(result, match.levels, options.truth, context);
   context.report(0.9, "writing");
   make_drawable(result);
   const PairView view = choose_pair_view(result, result.maps.front(), options.view);
@@ -206,9 +208,9 @@ PageData page_data(MatchResult result, const PageOptions& options, const Context
   manifest["truth"] = Json();
   if (!options.truth.source.empty())
     manifest["truth"] = {{"source", options.truth.source}, {"target", options.truth.target}};
-  add_results(packing, result, levels, measures, manifest);
+  add_results(packing, match, measures, manifest);
   manifest["arrays"] = packer.directory();
   return {std::move(manifest), packer.pack()};
 }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "isomatch/context.h"
+#include "results/drawing/pair_view.h"
 #include "results/page/measures.h"
-#include "results/page/pair_view.h"
+#include "results/page/shown_match.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 struct PageOptions {
   TruthFiles truth;
@@ -23,7 +24,7 @@ struct PageData {
   std::string arrays;
 };
 
-/// Measures the maps of `result` and packs all that the page needs. Vertices are those shown (see
+/// Measures the maps of `match` and packs all that the page needs. Vertices are those shown (see
 /// `DisplayMesh`). Arrays, n and m the vertices shown of the source and the target:
 /// - source/numbers, source/position (3n: all x, all y, all z), source/corner0, corner1, corner2;
 ///   target likewise. Corners 1 and 2 are zigzag differences from corner 0;
@@ -33,6 +34,6 @@ struct PageData {
 /// - for level K of the paper's method: levels/K/source, levels/K/target, levels/K/d_iso.
 /// Coordinates and distances are 16-bit steps; the manifest has the steps' `low` and `size`.
 /// Distances keep 65535 for what was not measured.
-PageData page_data(MatchResult result, const PageOptions& options, const Context& context);
+PageData page_data(ShownMatch match, const PageOptions& options, const Context& context);
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -14,8 +14,8 @@ asm(R"(
 extern const char kTemplateBegin[] asm("isomatch_page_template_begin");
 extern const char kTemplateEnd[] asm("isomatch_page_template_end");
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 std::string_view page_template() { return {kTemplateBegin, kTemplateEnd}; }
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -4,10 +4,10 @@
 
 #include <string_view>
 
-namespace isomatch::cli {
+namespace isomatch::results {
 
 /// The page without data, as viewer/ was bundled when this program was built; empty if it was built
 /// without.
 std::string_view page_template();
 
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

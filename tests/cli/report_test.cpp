@@ -81,6 +81,21 @@ TEST_F(ReportWithPage, ShowsTheLevelsOfThePaper) {
   EXPECT_EQ(page["truth"], nullptr);
 }
 
+TEST_F(ReportWithPage, AMatchMakesThePageThatItsFolderWouldGive) {
+  for (const std::vector<std::string>& method :
+       {std::vector<std::string>{"--alternatives", "2", "--target-to-source"},
+        {"--method", "paper", "--levels", "3"}}) {
+    std::vector<std::string> more = truth();
+    more.emplace_back("--report");
+    more.insert(more.end(), method.begin(), method.end());
+    ASSERT_EQ(run(arguments("out", more)).exit_code, 0);
+    const std::string page = bytes("out/report.html"), listed = bytes("out/report.json");
+    ASSERT_EQ(report(truth()).exit_code, 0);
+    EXPECT_EQ(bytes("out/report.html"), page) << method.front();
+    EXPECT_EQ(bytes("out/report.json"), listed) << method.front();
+  }
+}
+
 TEST_F(ReportWithPage, ThreadsChangeNoByte) {
   ASSERT_EQ(run(arguments("out")).exit_code, 0);
   ASSERT_EQ(report({"--threads", "1", "-q", "-o", path("one.html")}).exit_code, 0);

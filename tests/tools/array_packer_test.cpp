@@ -7,7 +7,7 @@
 
 #include <numeric>
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 std::string from_base64(std::string_view text) {
@@ -84,4 +84,4 @@ TEST(ArrayPacker, SlowlyVaryingNumbersTakeLittleRoom) {
 }
 
 }  // namespace
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 #include "support/transforms.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 TEST(DisplayMesh, IsTheSameMeshRenumbered) {
@@ -68,4 +68,4 @@ TEST(DisplayMesh, VerticesWithoutFacesStay) {
 }
 
 }  // namespace
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "results/folder/image_line.h"
+#include "results/files/image_line.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "support/temporary_folder.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 class ImageLineTest : public testing::Test {
@@ -92,4 +92,4 @@ TEST_F(ImageLineTest, NamesOfMaterialsAreTheRestOfTheLine) {
 }
 
 }  // namespace
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

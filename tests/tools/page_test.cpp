@@ -6,7 +6,7 @@
 
 #include "isomatch/error.h"
 
-namespace isomatch::cli {
+namespace isomatch::results {
 namespace {
 
 constexpr std::string_view kTemplate =
@@ -36,4 +36,4 @@ TEST(Page, ATemplateWithoutElementsIsAnError) {
 }
 
 }  // namespace
-}  // namespace isomatch::cli
+}  // namespace isomatch::results

@@ -5,15 +5,17 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "command.h"
 #include "match/method.h"
 #include "page_options.h"
-#include "results/folder/input_files.h"
-#include "results/folder/parent_folders.h"
-#include "results/folder/written_files.h"
+#include "program/say.h"
+#include "results/files/outputs.h"
+#include "results/files/parent_folders.h"
+#include "results/files/written_files.h"
 #include "results/page/page.h"
-#include "say.h"
 
 namespace isomatch::cli {
 namespace {
@@ -24,7 +26,7 @@ struct MatchCommand {
   std::map<std::string, Method> methods;
   /// Whether to make a page of the result, and how.
   bool report = false;
-  PageOptions page;
+  results::PageOptions page;
 };
 
 constexpr const char* kReportGroup = "Options of --report";
@@ -77,13 +79,13 @@ void add_common_options(CLI::App& command, MatchCommand& match) {
 
 void run_match(const MatchCommand& match, const Context& context) {
   const MatchArguments& arguments = match.arguments;
-  if (match.report) check_page_available();
-  check_folder_name(arguments.folder);
-  const ParentFolders parents(arguments.folder);
-  match.methods.at(match.method)(arguments, context);
-  if (!match.report) return;
-  const std::string page = (std::filesystem::path(arguments.folder) / kPage).string();
-  write_page(page, arguments.folder, {arguments.source, arguments.target}, match.page, context);
+  if (match.report) results::check_page_available();
+  results::check_folder_name(arguments.folder);
+  const results::ParentFolders parents(arguments.folder);
+  std::optional<results::ShownMatch> shown = match.methods.at(match.method)(arguments, context);
+  if (!shown) return;
+  const std::string page = (std::filesystem::path(arguments.folder) / results::kPage).string();
+  results::write_page(page, std::move(*shown), match.page, context);
   if (!arguments.quiet) say("to look at it, open {}", page);
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "match/method.h"
-#include "progress_bar.h"
+#include "match/outcome.h"
 #include "results/folder/paper_output.h"
 #include "results/folder/report.h"
 #include "results/option_names.h"
@@ -23,10 +25,10 @@ GeodesicOptions geodesic_options(const std::string& name) {
   return name == "w10" ? GeodesicOptions::w10() : GeodesicOptions::w20();
 }
 
-Json paper_options_json(const MatchArguments& arguments, const PaperArguments& paper) {
-  Json json = options_json("paper", arguments.seed);
+results::Json paper_options_json(const MatchArguments& arguments, const PaperArguments& paper) {
+  results::Json json = results::options_json("paper", arguments.seed);
   json["geodesics"] = paper.geodesics;
-  add_options(json, paper.options);
+  results::add_options(json, paper.options);
   return json;
 }
 
@@ -40,28 +42,31 @@ Summary summary_of(const PaperResult& result) {
       {}};
 }
 
-void run_paper(const MatchArguments& arguments, const PaperArguments& paper,
-               const Context& context) {
+std::optional<results::ShownMatch> run_paper(const MatchArguments& arguments,
+                                             const PaperArguments& paper, const Context& context) {
   paper.options.validate();
-  const ResultPlan plan = make_plan(arguments, paper_files(paper.options.max_levels));
-  check_plan(plan);
-  MatchInputs inputs = load_inputs(arguments, context);
-  const auto prepared = [&](const MatchInput& input) {
-    context.report(kLoaded / 2, "geodesic graph");
+  const results::ResultPlan plan =
+      make_plan(arguments, results::paper_files(paper.options.max_levels));
+  results::check_plan(plan);
+  results::MatchInputs inputs = load_inputs(arguments, context);
+  const auto prepared = [&](const results::MatchInput& input) {
+    context.report(results::kLoaded / 2, "geodesic graph");
     const StageTimer timer(inputs.times, "geodesic graph");
     return prepare_shape(input.surface, geodesic_options(paper.geodesics), context);
   };
   const Shape source = prepared(inputs.source), target = prepared(inputs.target);
-  PaperResult result = match_paper(source, target, paper.options, matching_part(context));
-  Fit fit = fit_of(inputs, result, context);
-  const PaperRun run{std::move(inputs),
-                     paper_options_json(arguments, paper),
-                     std::move(result),
-                     {source.unit * source.max_geodesic, target.unit * target.max_geodesic},
-                     std::move(fit)};
-  context.report(kJudged, "writing");
-  write_paper(plan, run);
+  PaperResult result = match_paper(source, target, paper.options, results::matching_part(context));
+  Fit fit = results::fit_of(inputs, result, context);
+  const results::PaperRun run{
+      std::move(inputs),
+      paper_options_json(arguments, paper),
+      std::move(result),
+      {source.unit * source.max_geodesic, target.unit * target.max_geodesic},
+      std::move(fit)};
+  context.report(results::kJudged, "writing");
+  results::Json report = results::write_paper(plan, run);
   print_outcome(run.inputs, summary_of(run.result), run.fit, arguments.folder, arguments.quiet);
+  return shown_if_asked(arguments, run, std::move(report));
 }
 
 }  // namespace
@@ -75,10 +80,12 @@ Method add_paper_method(CLI::App& command, const std::string& group) {
       ->group(group)
       ->capture_default_str();
   for_each_option(paper->options, [&](const char* field, auto& value, const char* help) {
-    command.add_option("--" + option_name(field), value, help)->group(group)->capture_default_str();
+    command.add_option("--" + results::option_name(field), value, help)
+        ->group(group)
+        ->capture_default_str();
   });
   return [paper](const MatchArguments& arguments, const Context& context) {
-    run_paper(arguments, *paper, context);
+    return run_paper(arguments, *paper, context);
   };
 }
 

@@ -6,12 +6,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "isomatch/error.h"
 #include "isomatch/io/map_io.h"
-#include "load.h"
 #include "match/method.h"
-#include "progress_bar.h"
+#include "match/outcome.h"
 #include "results/folder/input_numbers.h"
 #include "results/folder/report.h"
 #include "results/folder/tracked_output.h"
@@ -29,61 +30,63 @@ struct TrackedArguments {
   bool target_to_source = false;
 };
 
-void load_landmarks(const MatchInputs& inputs, TrackedArguments& tracked) {
+void load_landmarks(const results::MatchInputs& inputs, TrackedArguments& tracked) {
   const std::string& file = tracked.landmarks;
   tracked.pairs =
       read_landmarks(file, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()},
                      tracked.one_based ? Numbering::kFromOne : Numbering::kFromZero);
   try {
-    tracked.options.landmarks = surface_landmarks(inputs, tracked.pairs);
+    tracked.options.landmarks = results::surface_landmarks(inputs, tracked.pairs);
   } catch (const InvalidInput& error) {
     throw BadFile(file, error.what());
   }
 }
 
-Json tracked_options_json(const MatchArguments& arguments, const TrackedArguments& tracked) {
-  Json json = options_json("tracked", arguments.seed);
-  add_options(json, tracked.options);
-  json["landmarks"] = Json();
-  if (!tracked.landmarks.empty()) set_path(json, "landmarks", tracked.landmarks);
+results::Json tracked_options_json(const MatchArguments& arguments,
+                                   const TrackedArguments& tracked) {
+  results::Json json = results::options_json("tracked", arguments.seed);
+  results::add_options(json, tracked.options);
+  json["landmarks"] = results::Json();
+  if (!tracked.landmarks.empty()) results::set_path(json, "landmarks", tracked.landmarks);
   if (tracked.one_based) json["one-based"] = true;
   json["target-to-source"] = tracked.target_to_source;
   return json;
 }
 
-Summary summary_of(const TrackedRun& run) {
+Summary summary_of(const results::TrackedRun& run) {
   const TrackedResult& result = run.result;
   Summary summary;
   summary.lines.push_back(fmt::format("{} of {} source vertices matched",
-                                      matched_vertices(run, result.maps.front()),
+                                      results::matched_vertices(run, result.maps.front()),
                                       run.inputs.source.mesh.num_vertices()));
   const std::size_t wanted = run.options["alternatives"];
   if (wanted > 0)
     summary.lines.push_back(
         fmt::format("{} of {} alternatives found", result.maps.size() - 1, wanted));
-  summary.remarks = doubts(run);
+  summary.remarks = results::doubts(run);
   return summary;
 }
 
-void run_tracked(const MatchArguments& arguments, TrackedArguments tracked,
-                 const Context& context) {
+std::optional<results::ShownMatch> run_tracked(const MatchArguments& arguments,
+                                               TrackedArguments tracked, const Context& context) {
   tracked.options.validate();
-  const ResultPlan plan =
-      make_plan(arguments, tracked_files(tracked.options.alternatives, tracked.target_to_source),
-                tracked.landmarks);
-  check_plan(plan);
-  MatchInputs inputs = load_inputs(arguments, context);
+  const results::ResultPlan plan = make_plan(
+      arguments, results::tracked_files(tracked.options.alternatives, tracked.target_to_source),
+      tracked.landmarks);
+  results::check_plan(plan);
+  results::MatchInputs inputs = load_inputs(arguments, context);
   if (!tracked.landmarks.empty()) load_landmarks(inputs, tracked);
   TrackedResult result = match_tracked(inputs.source.surface, inputs.target.surface,
-                                       tracked.options, matching_part(context));
-  std::vector<Fit> fits = fits_of(inputs, result, context);
-  std::vector<Match> contradicted = contradicted_pairs(inputs, result, tracked.pairs);
-  const TrackedRun run{std::move(inputs),       tracked_options_json(arguments, tracked),
-                       std::move(result),       std::move(fits),
-                       std::move(contradicted), tracked.target_to_source};
-  context.report(kJudged, "writing");
-  write_tracked(plan, run);
+                                       tracked.options, results::matching_part(context));
+  std::vector<Fit> fits = results::fits_of(inputs, result, context);
+  std::vector<Match> contradicted = results::contradicted_pairs(inputs, result, tracked.pairs);
+  const results::TrackedRun run{std::move(inputs),       tracked_options_json(arguments, tracked),
+                                std::move(result),       std::move(fits),
+                                std::move(contradicted), tracked.target_to_source};
+  context.report(results::kJudged, "writing");
+  results::Json report = results::write_tracked(plan, run);
   print_outcome(run.inputs, summary_of(run), run.fits.front(), arguments.folder, arguments.quiet);
+  return shown_if_asked(arguments, run, std::move(report));
 }
 
 }  // namespace
@@ -127,7 +130,7 @@ Method add_tracked_method(CLI::App& command, const std::string& group) {
       .add_flag("--target-to-source", tracked->target_to_source, "Write the inverse map as well")
       ->group(group);
   return [tracked](const MatchArguments& arguments, const Context& context) {
-    run_tracked(arguments, *tracked, context);
+    return run_tracked(arguments, *tracked, context);
   };
 }
 

@@ -16,7 +16,7 @@
 #include "isomatch/io/values_io.h"
 #include "isomatch/version.h"
 #include "load.h"
-#include "results/folder/written_files.h"
+#include "results/files/written_files.h"
 #include "transfer/outputs.h"
 
 namespace isomatch::cli {
@@ -41,13 +41,14 @@ void create_folder(const std::string& path) {
 /// Creates the folder of frames with the list by which isomatch will know them again.
 void prepare_frames(const TransferArguments& arguments) {
   create_folder(arguments.output);
-  std::vector<std::string> files = written_files(arguments.output, Listing::kOfTransfer);
+  std::vector<std::string> files =
+      results::written_files(arguments.output, results::Listing::kOfTransfer);
   for (const std::string& frame : arguments.poses)
     if (std::ranges::count(files, frame_name(frame)) == 0) files.push_back(frame_name(frame));
   std::ranges::sort(files);
-  Json report{{"isomatch", kVersion}};
-  set_path(report, "result", arguments.folder);
-  write_listing(arguments.output, kTransfer, report, files);
+  results::Json report{{"isomatch", kVersion}};
+  results::set_path(report, "result", arguments.folder);
+  results::write_listing(arguments.output, results::kTransfer, report, files);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 namespace isomatch::cli {
 namespace {
 
-SurfaceMap load_inverse(const MatchResult& result, const ResultMap& map, const Context& context) {
+SurfaceMap load_inverse(const results::MatchResult& result, const results::ResultMap& map,
+                        const Context& context) {
   const std::string path =
       result.path((std::filesystem::path(map.folder) / "target_to_source.bary.txt").string());
   if (std::filesystem::exists(path))
@@ -23,10 +24,10 @@ SurfaceMap load_inverse(const MatchResult& result, const ResultMap& map, const C
 }  // namespace
 
 TransferJob load_transfer(const TransferArguments& arguments, const Context& context) {
-  MatchResult result = load_result(arguments.folder, arguments.places);
+  results::MatchResult result = results::load_result(arguments.folder, arguments.places);
   if (arguments.alternative >= result.maps.size())
     throw BadFile(arguments.folder, "has no alternative " + std::to_string(arguments.alternative));
-  ResultMap& map = result.maps[arguments.alternative];
+  results::ResultMap& map = result.maps[arguments.alternative];
   SurfaceMap inverse = load_inverse(result, map, context);
   if (arguments.reverse)
     return {result.target_path, std::move(result.target), std::move(result.source),

@@ -13,7 +13,7 @@ namespace isomatch::cli {
 /// From where to where, and what for, the command line wants something carried.
 struct TransferArguments {
   std::string folder, output;
-  MeshPlaces places;
+  results::MeshPlaces places;
   bool reverse = false;
   std::size_t alternative = 0;
   /// Files of what is to be carried; exactly one is given.

@@ -12,15 +12,16 @@
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
-#include "results/folder/written_files.h"
+#include "results/files/outputs.h"
+#include "results/files/written_files.h"
 
 namespace isomatch::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-InputFiles inputs_of(const TransferArguments& arguments) {
-  InputFiles inputs = result_inputs(arguments.folder, arguments.places);
+results::InputFiles inputs_of(const TransferArguments& arguments) {
+  results::InputFiles inputs = results::result_inputs(arguments.folder, arguments.places);
   for (const std::string& file :
        {arguments.values, arguments.labels, arguments.colors, arguments.landmarks, arguments.skin,
         arguments.texture, arguments.image})
@@ -29,22 +30,22 @@ InputFiles inputs_of(const TransferArguments& arguments) {
   return inputs;
 }
 
-void check_frames(const TransferArguments& arguments, const InputFiles& inputs) {
+void check_frames(const TransferArguments& arguments, const results::InputFiles& inputs) {
   std::vector<std::string> names;
   for (const std::string& frame : arguments.poses) names.push_back(frame_name(frame));
   std::ranges::sort(names);
   if (const auto twice = std::ranges::adjacent_find(names); twice != names.end())
     throw BadFile(*twice, "two frames would be written to this name");
-  check_folder_name(arguments.output);
-  check_folder_output(arguments.output);
-  names.emplace_back(kTransfer);
-  check_replaceable(arguments.output, names, Listing::kOfTransfer, inputs);
+  results::check_folder_name(arguments.output);
+  results::check_folder_output(arguments.output);
+  names.emplace_back(results::kTransfer);
+  results::check_replaceable(arguments.output, names, results::Listing::kOfTransfer, inputs);
 }
 
 /// Numbers may have any ending that promises nothing else.
 void check_number_ending(const std::string& path, bool may_be_csv) {
   constexpr std::array kOthers{".html", ".jpeg", ".jpg", ".json", ".npy", ".npz", ".png", ".zip"};
-  const std::string ending = lower_ending(path);
+  const std::string ending = results::lower_ending(path);
   if (is_mesh_file_name(path) || std::ranges::count(kOthers, ending) > 0 ||
       (ending == ".csv" && !may_be_csv))
     throw BadFile(path, fmt::format("numbers are written as text here; name it .txt{}",
@@ -55,8 +56,8 @@ void check_endings(const TransferArguments& arguments) {
   if (!arguments.values.empty() || !arguments.labels.empty())
     check_number_ending(arguments.output, true);
   if (!arguments.skin.empty()) check_number_ending(arguments.output, false);
-  if (!arguments.colors.empty()) check_ending(arguments.output, {".ply"});
-  if (!arguments.texture.empty()) check_ending(arguments.output, {".obj"});
+  if (!arguments.colors.empty()) results::check_ending(arguments.output, {".ply"});
+  if (!arguments.texture.empty()) results::check_ending(arguments.output, {".obj"});
   if (!arguments.landmarks.empty()) check_map_output(arguments.output);
 }
 
@@ -71,14 +72,14 @@ std::string material_output(const std::string& output) {
 }
 
 void check_transfer(const TransferArguments& arguments) {
-  const InputFiles inputs = inputs_of(arguments);
+  const results::InputFiles inputs = inputs_of(arguments);
   if (!arguments.poses.empty()) return check_frames(arguments, inputs);
   check_endings(arguments);
   if (const std::string& image = arguments.image; !image.empty() && !fs::exists(image))
     throw BadFile(image, "is not there");
-  check_output(arguments.output, inputs);
+  results::check_output(arguments.output, inputs);
   if (!arguments.texture.empty())
-    check_companion_output(material_output(arguments.output), arguments.output, inputs);
+    results::check_companion_output(material_output(arguments.output), arguments.output, inputs);
 }
 
 }  // namespace isomatch::cli

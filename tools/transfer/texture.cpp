@@ -13,8 +13,8 @@
 #include "isomatch/io/atomic_file.h"
 #include "isomatch/io/texture_io.h"
 #include "load.h"
-#include "results/folder/image_line.h"
-#include "results/folder/materials.h"
+#include "results/files/image_line.h"
+#include "results/files/materials.h"
 #include "transfer/carry.h"
 #include "transfer/outputs.h"
 
@@ -31,9 +31,9 @@ std::string seen_from(const std::string& output, const fs::path& path) {
 
 /// A line of a file of materials as one of the file `output`. What is not there keeps its name and
 /// goes into `missing`.
-std::string moved_line(const std::string& line, const MaterialLibrary& library,
+std::string moved_line(const std::string& line, const results::MaterialLibrary& library,
                        const std::string& output, std::set<std::string>& missing) {
-  const std::optional<ImageLine> image = image_line(line, library.path);
+  const std::optional<results::ImageLine> image = results::image_line(line, library.path);
   if (!image) return line;
   if (!image->path.empty()) return image->before + seen_from(output, image->path) + image->after;
   missing.insert(image->name);
@@ -49,31 +49,32 @@ struct MovedMaterials {
 };
 
 /// Appends the materials that none of the files before has.
-void append(MovedMaterials& moved, const MaterialLibrary& library, const std::string& output) {
+void append(MovedMaterials& moved, const results::MaterialLibrary& library,
+            const std::string& output) {
   const std::set<std::string> before = moved.names;
   std::set<std::string> missing;
   bool is_new = true;
   for (const std::string& line : library.lines) {
-    if (const auto name = new_material(line)) {
+    if (const auto name = results::new_material(line)) {
       is_new = !before.contains(*name);
       moved.names.insert(*name);
     }
     if (is_new) moved.text += moved_line(line, library, output, missing) + "\n";
   }
-  warn_of_images(library, missing);
+  results::warn_of_images(library, missing, warn_of);
 }
 
 MovedMaterials moved_materials(const std::string& path, const Texture& texture,
                                const std::string& output) {
-  const std::vector<MaterialLibrary> libraries = load_libraries(path);
+  const std::vector<results::MaterialLibrary> libraries = results::load_libraries(path, warn_of);
   MovedMaterials moved;
-  for (const MaterialLibrary& library : libraries) {
+  for (const results::MaterialLibrary& library : libraries) {
     if (library.path.empty())
       moved.missing.push_back(library.name);
     else
       append(moved, library, output);
   }
-  warn_of_materials(path, texture.materials, moved.names, libraries);
+  results::warn_of_materials(path, texture.materials, moved.names, libraries, warn_of);
   return moved;
 }
 

@@ -9,8 +9,8 @@
 
 #include "command.h"
 #include "place_options.h"
-#include "results/folder/parent_folders.h"
-#include "say.h"
+#include "program/say.h"
+#include "results/files/parent_folders.h"
 #include "transfer/carry.h"
 #include "transfer/outputs.h"
 
@@ -90,7 +90,7 @@ void add_ways(CLI::App& command, TransferArguments& arguments) {
 }
 
 void run_transfer(const TransferArguments& arguments, const Cargo& cargo, const Context& context) {
-  const ParentFolders parents(arguments.output);
+  const results::ParentFolders parents(arguments.output);
   check_transfer(arguments);
   cargo.carry(load_transfer(arguments, context), arguments);
   if (!arguments.quiet) say("{} written to {}", cargo.name, arguments.output);

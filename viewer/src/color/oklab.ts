@@ -26,7 +26,7 @@ export function css([r, g, b]: Rgb): string {
   return `rgb(${byte(r)} ${byte(g)} ${byte(b)})`;
 }
 
-/** The colour of a place in the colour box, as tools/picture/position_colors.cpp has it. */
+/** The colour of a place in the colour box, as results/picture/position_colors.cpp has it. */
 export function positionColor(x: number, y: number, z: number): Rgb {
   const [s, t, u] = [clamp(x), clamp(y), clamp(z)];
   return fromOklab(0.42 + 0.18 * s + 0.28 * u, -0.15 + 0.32 * t, -0.19 + 0.35 * s);

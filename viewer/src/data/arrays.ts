@@ -34,7 +34,7 @@ function sumUp(differences: Uint32Array): void {
   }
 }
 
-/** Unpacks what an `ArrayPacker` (tools/page/array_packer.h) packed; arrays are decoded when asked for. */
+/** Unpacks what an `ArrayPacker` (results/page/array_packer.h) packed; arrays are decoded on demand. */
 export async function unpack(text: string, directory: ArrayEntry[]): Promise<Arrays> {
   const bytes = await inflate(decodeBase64(text.trim()));
   const places = new Map<string, { entry: ArrayEntry; start: number }>();

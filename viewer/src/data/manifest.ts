@@ -1,4 +1,4 @@
-/** What `isomatch report` writes into the page; see tools/page/page_data.h. */
+/** What `isomatch report` writes into the page; see results/page/page_data.h. */
 
 export type Triple = [number, number, number];
 

@@ -20,7 +20,7 @@ const VERTEX = `
     gl_Position = projectionMatrix * seen;
   }`;
 
-// The light of tools/picture/canvas.cpp.
+// The light of results/picture/canvas.cpp.
 const FRAGMENT = `
   uniform float checker;
   uniform float opacity;
