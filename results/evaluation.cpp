@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 
@@ -16,11 +19,12 @@ std::optional<TruthEvaluation> evaluate_truth(const Shape& source, const Shape& 
                                               const std::vector<int>& at_target,
                                               const TruthOptions& options, const Context& context) {
   if (at_target.empty()) return std::nullopt;
-  const GroundTruth truth = surface_truth(source.surface, target.surface, at_source, at_target);
-  TruthEvaluation result{at_source.size(), truth.size(), {}, {}, {}};
-  result.template_errors = template_errors(target, truth, map.matches, options, context);
-  if (map.points) result.point_errors = point_errors(target, truth, *map.points, options, context);
-  result.match_errors = match_errors(target, truth, map.matches, options, context);
+  const GroundTruth truth{at_source, at_target};
+  TruthEvaluation result{at_source.size(), on_surfaces(source, target, truth).size(), {}, {}, {}};
+  result.template_errors = template_errors(source, target, truth, map.matches, options, context);
+  if (map.points)
+    result.point_errors = point_errors(source, target, truth, *map.points, options, context);
+  result.match_errors = match_errors(source, target, truth, map.matches, options, context);
   return result;
 }
 
@@ -63,8 +67,9 @@ TruthVertices read_truth(const TruthFiles& files, VertexCounts counts) {
   return truth;
 }
 
-int input_vertex_count(const Shape& shape) {
-  return static_cast<int>(shape.surface.surface_vertex.size());
+MeasuredMap measured_map(const Shape& target, const MatchContent& content) {
+  if (content.points.empty()) return {content.matches, {}};
+  return {to_correspondence(nearest_vertices(target.mesh(), content.points)), content.points};
 }
 
 Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
@@ -74,20 +79,21 @@ Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap&
     return evaluate_truth(source, target, map, truth.source, at_target, options.truth, context);
   };
   Evaluation result;
-  result.matches = static_cast<int>(map.matches.size());
   result.truth = against(truth.target);
   result.symmetric_truth = against(truth.symmetric_target);
-  result.coverage = target_coverage(target, map.matches);
+  result.coverage = target_coverage(source, target, map.matches);
   result.orientation = map_orientation(source, target, map.matches, {}, context);
   result.distortion =
       isometric_distortion(source, target, map.matches, options.distortion, context);
+  result.matches = static_cast<int>(std::ranges::count_if(
+      result.distortion.per_match, [](double d_iso) { return !std::isnan(d_iso); }));
   return result;
 }
 
 Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
                     const TruthFiles& files, const EvaluationOptions& options,
                     const Context& context) {
-  const VertexCounts counts{input_vertex_count(source), input_vertex_count(target)};
+  const VertexCounts counts{source.num_vertices(), target.num_vertices()};
   return evaluate(source, target, map, read_truth(files, counts), options, context);
 }
 

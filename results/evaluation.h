@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/measure/metrics.h"
 #include "results/json.h"
 
@@ -29,12 +29,15 @@ struct TruthVertices {
 /// if its files differ in length.
 TruthVertices read_truth(const TruthFiles& files, VertexCounts counts);
 
-/// A correspondence in the numbers of the surfaces.
+/// A map that is measured.
 struct MeasuredMap {
   Correspondence matches;
   /// Where it leads to points on triangles.
   std::optional<SurfaceMap> points;
 };
+
+/// What a file holds. Points count where it has both.
+MeasuredMap measured_map(const Shape& target, const MatchContent& content);
 
 struct EvaluationOptions {
   TruthOptions truth;
@@ -54,6 +57,7 @@ struct TruthEvaluation {
 
 /// All that `isomatch eval` says of a map.
 struct Evaluation {
+  /// Those between the surfaces.
   int matches = 0;
   IsometricDistortion distortion;
   Coverage coverage;
@@ -76,9 +80,6 @@ Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap&
 Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
                     const TruthFiles& files, const EvaluationOptions& options,
                     const Context& context);
-
-/// Number of vertices of the mesh that `shape` was made of.
-int input_vertex_count(const Shape& shape);
 
 Json to_json(const Evaluation& evaluation);
 

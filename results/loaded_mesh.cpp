@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "results/loaded_mesh.h"
 
+#include <utility>
+
 #include "isomatch/error.h"
 
 namespace isomatch::results {
@@ -22,16 +24,8 @@ MeshDiagnosis diagnosed(const std::string& path, const Mesh& mesh) {
   return of_file(path, [&] { return diagnose(mesh); });
 }
 
-Inspection inspected(const std::string& path, const Mesh& mesh) {
-  return of_file(path, [&] {
-    Inspection inspection = inspect(mesh);
-    if (!inspection.surface) throw InvalidInput("the mesh has no face of positive area");
-    return inspection;
-  });
-}
-
-Shape prepare_loaded(const std::string& path, const Mesh& mesh, const Context& context) {
-  return of_file(path, [&] { return prepare_shape(mesh, {}, context); });
+Shape shape_of(const std::string& path, Mesh mesh, const GeodesicOptions& geodesics) {
+  return of_file(path, [&] { return Shape(std::move(mesh), geodesics); });
 }
 
 }  // namespace isomatch::results

@@ -14,10 +14,7 @@ namespace isomatch::results {
 /// `diagnose`.
 MeshDiagnosis diagnosed(const std::string& path, const Mesh& mesh);
 
-/// `inspect`; there is a surface.
-Inspection inspected(const std::string& path, const Mesh& mesh);
-
-/// `prepare_shape`.
-Shape prepare_loaded(const std::string& path, const Mesh& mesh, const Context& context);
+/// The shape of a mesh that was read from `path`. What makes it unusable is a `BadFile`.
+Shape shape_of(const std::string& path, Mesh mesh, const GeodesicOptions& geodesics = {});
 
 }  // namespace isomatch::results

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "isomatch/error.h"
+
 namespace isomatch::results {
 
 std::string option_name(std::string_view field) {
@@ -11,6 +13,13 @@ std::string option_name(std::string_view field) {
   std::string name(field);
   std::ranges::replace(name, '_', '-');
   return name;
+}
+
+GeodesicOptions geodesic_options(const std::string& name) {
+  if (name == "edges") return GeodesicOptions::edges();
+  if (name == "w10") return GeodesicOptions::w10();
+  if (name == "w20") return GeodesicOptions::w20();
+  throw InvalidInput("geodesics: expected w20, w10 or edges, not " + name);
 }
 
 }  // namespace isomatch::results

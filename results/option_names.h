@@ -14,6 +14,9 @@ namespace isomatch::results {
 /// radius_factor. `max_levels` is `levels`, since it is the number K that the paper's text gives.
 std::string option_name(std::string_view field);
 
+/// The geodesics that the program calls w20, w10 and edges. Throws `InvalidInput`.
+GeodesicOptions geodesic_options(const std::string& name);
+
 /// Adds the values of `options` to `json` under their names.
 template <class Options>
 void add_options(Json& json, const Options& options) {

@@ -24,29 +24,19 @@ struct EvalArguments {
   results::EvaluationOptions options;
 };
 
-/// The numbers of the surfaces instead of those of the files. Points count where a file has both.
-results::MeasuredMap on_surfaces(const MatchContent& map, const Shape& source,
-                                 const Shape& target) {
-  if (map.points.empty()) return {surface_matches(source.surface, target.surface, map.matches), {}};
-  const SurfaceMap points = surface_map(source.surface, target.surface, map.points);
-  return {to_correspondence(nearest_vertices(target.surface.mesh, points)), points};
-}
-
 struct Measured {
   results::Evaluation evaluation;
   MapReadReport map;
 };
 
 Measured measure(const EvalArguments& arguments, const Context& context) {
-  const Mesh source_mesh = load_mesh(arguments.source), target_mesh = load_mesh(arguments.target);
-  const MapChecks checks{source_mesh.num_vertices(), target_mesh.num_vertices(),
-                         target_mesh.num_faces()};
-  const Shape source = results::prepare_loaded(arguments.source, source_mesh, context);
-  const Shape target = results::prepare_loaded(arguments.target, target_mesh, context);
+  const Shape source = results::shape_of(arguments.source, load_mesh(arguments.source));
+  const Shape target = results::shape_of(arguments.target, load_mesh(arguments.target));
+  const MapChecks checks{source.num_vertices(), target.num_vertices(), target.mesh().num_faces()};
   Measured result;
   const MatchContent map =
       read_matches(arguments.map, checks, told_numbering(arguments.one_based), &result.map);
-  result.evaluation = results::evaluate(source, target, on_surfaces(map, source, target),
+  result.evaluation = results::evaluate(source, target, results::measured_map(target, map),
                                         arguments.truth, arguments.options, context);
   return result;
 }

@@ -23,10 +23,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 Json shape_json(const std::string& file, const Shape& shape) {
   return {{"file", file},
-          {"vertices", results::input_vertex_count(shape)},
-          {"surface_vertices", shape.num_vertices()},
-          {"area", shape.unit * shape.unit * shape.surface.area},
-          {"max_geodesic", shape.unit * shape.max_geodesic}};
+          {"vertices", shape.num_vertices()},
+          {"surface_vertices", shape.num_surface_vertices()},
+          {"area", shape.area()},
+          {"max_geodesic", shape.max_geodesic()}};
 }
 
 /// Shares of the errors that are at most 0, .005, ..., .25.
@@ -66,21 +66,11 @@ Json levels_json(const std::vector<LevelSummary>& levels) {
   return json;
 }
 
-VertexMap input_vertex_map(const Surface& source, const Surface& target,
-                           const Correspondence& matches) {
-  VertexMap on_surface(source.num_vertices(), kUnmatched);
-  for (const auto& [s, t] : matches) on_surface[s] = target.input_vertex[t];
-  VertexMap map;
-  for (int v : source.surface_vertex) map.push_back(v == kNoVertex ? kUnmatched : on_surface[v]);
-  return map;
-}
-
-void write_map(const std::string& stem, const Shape& source, const Shape& target,
-               const NamedMap& map) {
-  write_source_to_target(stem + ".txt",
-                         input_vertex_map(source.surface, target.surface, map.matches));
-  if (map.points)
-    write_surface_map(stem + ".bary.txt", input_map(source.surface, target.surface, *map.points));
+void write_map(const std::string& stem, const Shape& source, const NamedMap& map) {
+  VertexMap vertices(source.num_vertices(), kUnmatched);
+  for (const auto& [s, t] : map.matches) vertices[s] = t;
+  write_source_to_target(stem + ".txt", vertices);
+  if (map.points) write_surface_map(stem + ".bary.txt", *map.points);
 }
 
 /// A pair in memory, and the time it took to make shapes of meshes.
@@ -90,10 +80,11 @@ struct Prepared {
 };
 
 Prepared prepare(const Pair& pair, const Context& context) {
-  const Mesh source = read_mesh(pair.source), target = read_mesh(pair.target);
+  Mesh source = read_mesh(pair.source), target = read_mesh(pair.target);
   const auto start = std::chrono::steady_clock::now();
-  Shape source_shape = results::prepare_loaded(pair.source, source, context);
-  Shape target_shape = results::prepare_loaded(pair.target, target, context);
+  Shape source_shape = results::shape_of(pair.source, std::move(source));
+  Shape target_shape = results::shape_of(pair.target, std::move(target));
+  for (const Shape* shape : {&source_shape, &target_shape}) shape->max_geodesic(context);
   return {std::move(source_shape), std::move(target_shape), seconds_since(start)};
 }
 
@@ -120,8 +111,7 @@ Json measure_method(const Method& method, const Prepared& prepared, const Pair& 
             {"loaded_memory_mib", loaded}};
   for (const StageTime& time : result.times) json["stages"][time.stage] = time.seconds;
   if (!options.map_folder.empty())
-    write_map(options.map_folder + "/" + method.name, prepared.source, prepared.target,
-              result.maps.front());
+    write_map(options.map_folder + "/" + method.name, prepared.source, result.maps.front());
   json["maps"] = maps_json(prepared, result, pair, options, context);
   if (!result.levels.empty()) json["levels"] = levels_json(result.levels);
   return json;

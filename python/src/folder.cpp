@@ -14,7 +14,7 @@
 #include "bindings.h"
 #include "isomatch/error.h"
 #include "isomatch/io/map_io.h"
-#include "isomatch/measure/metrics.h"
+#include "isomatch/mesh/topology.h"
 #include "results/files/written_files.h"
 #include "results/folder/levels.h"
 
@@ -25,7 +25,6 @@ namespace isomatch::python {
 namespace {
 
 using results::Json;
-using results::MatchInput;
 using results::MatchResult;
 
 bool has_own_file(const std::string& folder, const std::string& name) {
@@ -57,12 +56,12 @@ std::vector<StageTime> times_of(const Json& report) {
 /// The inverse as far as a relation of vertices tells it.
 SurfaceMap inverse_of(const MatchResult& folder, const MatchInput& source,
                       const MatchInput& target) {
-  const Correspondence relation = read_correspondence(
-      folder.path("correspondence.txt"), {source.mesh.num_vertices(), target.mesh.num_vertices()});
-  VertexMap target_to_source(target.surface.num_vertices(), kUnmatched);
-  for (const Match& match : surface_matches(source.surface, target.surface, relation))
-    target_to_source[match.target] = match.source;
-  return corner_points(source.surface.mesh, target_to_source);
+  const Correspondence relation =
+      read_correspondence(folder.path("correspondence.txt"),
+                          {source.mesh().num_vertices(), target.mesh().num_vertices()});
+  VertexMap target_to_source(target.shape.num_vertices(), kUnmatched);
+  for (const Match& match : relation) target_to_source[match.target] = match.source;
+  return corner_points(source.mesh(), target_to_source);
 }
 
 std::string inverse_file(const MatchResult& folder, const results::ResultMap& map) {
@@ -71,18 +70,13 @@ std::string inverse_file(const MatchResult& folder, const results::ResultMap& ma
 
 SurfaceMap read_inverse(const std::string& file, const MatchInput& source,
                         const MatchInput& target) {
-  const SurfaceMap points =
-      read_surface_map(file, {target.mesh.num_vertices(), source.mesh.num_faces()});
-  return surface_map(target.surface, source.surface, points);
+  return read_surface_map(file, {target.mesh().num_vertices(), source.mesh().num_faces()});
 }
 
-std::vector<Point> registered_of(const MatchResult& folder, const results::ResultMap& map,
-                                 const Surface& source) {
+std::vector<Point> registered_of(const MatchResult& folder, const results::ResultMap& map) {
   if (map.registered.empty())
     throw BadFile(folder.path((fs::path(map.folder) / "registered.ply").string()), "is missing");
-  std::vector<Point> positions;
-  for (const int vertex : source.input_vertex) positions.push_back(map.registered[vertex]);
-  return positions;
+  return map.registered;
 }
 
 TrackedMap to_map(const MatchResult& folder, const results::MatchInputs& inputs, std::size_t number,
@@ -90,14 +84,14 @@ TrackedMap to_map(const MatchResult& folder, const results::MatchInputs& inputs,
   const MatchInput &source = inputs.source, &target = inputs.target;
   const results::ResultMap& from = folder.maps[number];
   TrackedMap map;
-  map.source_to_target = surface_map(source.surface, target.surface, from.points);
-  map.registered = registered_of(folder, from, source.surface);
+  map.source_to_target = from.points;
+  map.registered = registered_of(folder, from);
   if (has_inverse)
     map.target_to_source = read_inverse(inverse_file(folder, from), source, target);
   else if (number == 0)
     map.target_to_source = inverse_of(folder, source, target);
   else
-    map.target_to_source.resize(target.surface.num_vertices());
+    map.target_to_source.resize(target.shape.num_vertices());
   from_report(folder, [&](const Json& report) {
     const Json& figures = number == 0 ? report.at("map") : report.at("alternatives").at(number - 1);
     map.energy = figures.at("energy");
@@ -124,33 +118,32 @@ TrackedResult figures_of(const Json& report) {
 /// Numbers bases in the order in which they are added.
 class Bases {
  public:
-  explicit Bases(const Surface& surface)
-      : surface_(surface), number_(surface.num_vertices(), kNoVertex) {}
+  explicit Bases(const Shape& shape) : shape_(shape), number_(shape.num_vertices(), kNoVertex) {}
 
-  /// Adds those of these input vertices that are new.
+  /// Adds those of these vertices that are new.
   void add(std::vector<int> vertices) {
     std::ranges::sort(vertices);
     for (const int vertex : vertices) {
-      int& number = number_[on_surface(vertex)];
-      if (number != kNoVertex) continue;
-      number = count();
-      bases_.push_back(on_surface(vertex));
+      const int base = lowest_copy(vertex);
+      if (number_[base] != kNoVertex) continue;
+      number_[base] = count();
+      bases_.push_back(base);
     }
   }
-  int number(int input_vertex) const { return number_[on_surface(input_vertex)]; }
+  int number(int vertex) const { return number_[lowest_copy(vertex)]; }
   int count() const { return static_cast<int>(bases_.size()); }
   const std::vector<int>& vertices() const { return bases_; }
 
  private:
-  int on_surface(int input_vertex) const {
-    const int vertex = surface_.surface_vertex[input_vertex];
-    if (vertex == kNoVertex)
+  int lowest_copy(int vertex) const {
+    const std::span<const int> copies = shape_.copies(vertex);
+    if (copies.empty())
       throw InvalidInput(
-          fmt::format("base vertex {} is not on the surface that is matched", input_vertex));
-    return vertex;
+          fmt::format("base vertex {} is not on the surface that is matched", vertex));
+    return copies.front();
   }
 
-  const Surface& surface_;
+  const Shape& shape_;
   std::vector<int> number_, bases_;
 };
 
@@ -227,13 +220,6 @@ std::vector<PaperLevel> levels_of(const MatchResult& folder, Bases& sources, Bas
   return levels;
 }
 
-VertexMap surface_vertices(const Surface& source, const Surface& target, const VertexMap& map) {
-  VertexMap result;
-  for (const int vertex : source.input_vertex)
-    result.push_back(map[vertex] == kUnmatched ? kUnmatched : target.surface_vertex[map[vertex]]);
-  return result;
-}
-
 /// Where the landmarks are: in the folder, or where they were when the match was run.
 std::string landmark_file(const MatchResult& folder) {
   return from_report(folder, [&](const Json& report) -> std::string {
@@ -276,11 +262,9 @@ std::vector<Match> landmarks_of(const MatchResult& folder) {
   return read_landmarks(file, {folder.source.num_vertices(), folder.target.num_vertices()});
 }
 
-TrackedMatch tracked_of(const MatchResult& folder, const PreparedMesh& source,
-                        const PreparedMesh& target) {
-  TrackedMatch match;
-  match.inputs = to_inputs(source, target);
-  match.options = folder.report.at("options");
+TrackedMatch tracked_of(const MatchResult& folder, const MatchInput& source,
+                        const MatchInput& target) {
+  TrackedMatch match{{to_inputs(source, target), folder.report.at("options")}};
   match.result = from_report(folder, figures_of);
   match.has_inverse = fs::exists(inverse_file(folder, folder.maps.front()));
   for (std::size_t k = 0; k < folder.maps.size(); ++k)
@@ -291,20 +275,19 @@ TrackedMatch tracked_of(const MatchResult& folder, const PreparedMesh& source,
       match.fits.push_back(results::to_fit(alternative.at("fit")));
     for (const auto& [s, t] :
          report.at("contradicted_landmarks").get<std::vector<std::array<int, 2>>>())
-      match.contradicted_landmarks.push_back({s, t});
+      match.result.contradicted_landmarks.push_back({s, t});
   });
   return match;
 }
 
-results::PaperRun paper_of(const MatchResult& folder, const PreparedMesh& source,
-                           const PreparedMesh& target) {
-  Bases sources(source.surface()), targets(target.surface());
+results::PaperRun paper_of(const MatchResult& folder, const MatchInput& source,
+                           const MatchInput& target) {
+  Bases sources(source.shape), targets(target.shape);
   PaperResult result;
   result.levels = levels_of(folder, sources, targets);
   result.source_bases = sources.vertices();
   result.target_bases = targets.vertices();
-  result.source_to_target =
-      surface_vertices(source.surface(), target.surface(), folder.maps.front().source_to_target);
+  result.source_to_target = folder.maps.front().source_to_target;
   std::array<double, 2> max_geodesics{};
   Fit fit;
   from_report(folder, [&](const Json& report) {

@@ -17,11 +17,11 @@ results::MatchResult load_folder(const std::string& folder, results::MeshPlaces 
 std::vector<Match> landmarks_of(const results::MatchResult& folder);
 
 /// The match that `folder` tells of, between the meshes that it was made of. Throws `BadFile`.
-TrackedMatch tracked_of(const results::MatchResult& folder, const PreparedMesh& source,
-                        const PreparedMesh& target);
+TrackedMatch tracked_of(const results::MatchResult& folder, const MatchInput& source,
+                        const MatchInput& target);
 /// The same by the paper's method. A folder does not have the order in which bases of one level
 /// were selected: they are in that of their numbers.
-results::PaperRun paper_of(const results::MatchResult& folder, const PreparedMesh& source,
-                           const PreparedMesh& target);
+results::PaperRun paper_of(const results::MatchResult& folder, const MatchInput& source,
+                           const MatchInput& target);
 
 }  // namespace isomatch::python

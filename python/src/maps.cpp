@@ -9,7 +9,7 @@
 #include "bindings.h"
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
-#include "prepared.h"
+#include "shapes.h"
 
 namespace py = pybind11;
 
@@ -62,12 +62,11 @@ py::dict read_map_file(const std::string& path, std::optional<int> source_vertic
 
 /// Adds the form of the map that is missing. Throws `InvalidInput` if it leads off the target.
 void complete(MapContent& map, const Mesh& target) {
-  for (const int vertex : map.source_to_target)
-    if (vertex != kUnmatched) check_vertex(vertex, target.vertices.size(), "the map");
-  for (const SurfacePoint& point : map.points)
-    if (point.face >= target.num_faces())
-      throw InvalidInput(fmt::format("the map: face {} is out of range; there are {}", point.face,
-                                     target.num_faces()));
+  const auto check = [&](const auto& form) {
+    check_map(static_cast<int>(form.size()), target, form);
+  };
+  check(map.source_to_target);
+  check(map.points);
   if (map.points.empty()) map.points = corner_points(target, map.source_to_target);
   if (map.source_to_target.empty()) map.source_to_target = nearest_vertices(target, map.points);
 }

@@ -6,11 +6,11 @@
 #include "bindings.h"
 #include "match.h"
 #include "options.h"
-#include "prepared.h"
-#include "results/folder/input_numbers.h"
+#include "results/folder/base_matches.h"
 #include "results/folder/paper_output.h"
 #include "results/folder/result.h"
 #include "run.h"
+#include "shapes.h"
 #include "state.h"
 
 namespace py = pybind11;
@@ -22,28 +22,22 @@ using results::PaperRun;
 
 const char* const kMethod = "paper";
 
-PaperRun match(const PreparedMesh& source, const PreparedMesh& target, const std::string& geodesics,
+PaperRun match(const MatchInput& source, const MatchInput& target, const std::string& geodesics,
                unsigned long seed, const py::dict& keywords, const RunOptions& how) {
   const auto options = to_options<PaperOptions>(keywords);
   results::MatchInputs inputs = to_inputs(source, target);
   Fit fit;
   PaperResult result = run(how, [&](const Context& context) {
-    PaperResult found = match_paper(source.shape(context), target.shape(context), options,
-                                    results::matching_part(context));
+    PaperResult found =
+        match_paper(source.shape, target.shape, options, results::matching_part(context));
     fit = results::fit_of(inputs, found, context);
     return found;
   });
   results::Json json = report_options(kMethod, seed, options);
   json["geodesics"] = geodesics;
-  // Shapes are prepared by now.
-  const Shape& source_shape = source.shape({});
-  const Shape& target_shape = target.shape({});
-  return {std::move(inputs),
-          std::move(json),
-          std::move(result),
-          {source_shape.unit * source_shape.max_geodesic,
-           target_shape.unit * target_shape.max_geodesic},
-          std::move(fit)};
+  // Distances are known by now.
+  const std::array max_geodesics{source.shape.max_geodesic(), target.shape.max_geodesic()};
+  return {std::move(inputs), std::move(json), std::move(result), max_geodesics, std::move(fit)};
 }
 
 /// Matches and the distortion of each.
@@ -52,37 +46,32 @@ py::tuple to_tuple(results::MeasuredMatches measured) {
                         adopt(std::move(measured.distortion)));
 }
 
-py::array_t<int> first_bases(const Surface& surface, const std::vector<int>& bases, int count) {
-  return adopt(input_numbers(surface, std::span(bases).first(static_cast<std::size_t>(count))));
-}
-
-py::dict to_dict(const PaperRun& run, const results::InputNumbers& numbers,
-                 const PaperLevel& level) {
-  const PaperResult& result = run.result;
-  py::dict dict;
-  dict["source_radius"] = level.source_radius;
-  dict["target_radius"] = level.target_radius;
-  dict["source_bases"] =
-      first_bases(run.inputs.source.surface, result.source_bases, level.source_bases);
-  dict["target_bases"] =
-      first_bases(run.inputs.target.surface, result.target_bases, level.target_bases);
-  dict["matches"] = to_tuple(numbers.translate(level.matches, level.distortion));
-  dict["many_to_one"] = to_tuple(
-      numbers.translate(to_correspondence(level.many_to_one), level.many_to_one_distortion));
-  dict["outliers_moved"] = level.outliers_moved;
-  return dict;
+py::array_t<int> first_bases(const std::vector<int>& bases, int count) {
+  return adopt(std::vector<int>(bases.begin(), bases.begin() + count));
 }
 
 py::list levels(const PaperRun& run) {
-  const results::InputNumbers numbers(run.inputs, run.result);
+  const PaperResult& result = run.result;
+  std::vector<results::ResultLevel> numbered = results::result_levels(run);
   py::list list;
-  for (const PaperLevel& level : run.result.levels) list.append(to_dict(run, numbers, level));
+  for (std::size_t k = 0; k < numbered.size(); ++k) {
+    const PaperLevel& level = result.levels[k];
+    py::dict dict;
+    dict["source_radius"] = level.source_radius;
+    dict["target_radius"] = level.target_radius;
+    dict["source_bases"] = first_bases(result.source_bases, level.source_bases);
+    dict["target_bases"] = first_bases(result.target_bases, level.target_bases);
+    dict["matches"] = to_tuple(std::move(numbered[k].many_to_many));
+    dict["many_to_one"] = to_tuple(std::move(numbered[k].many_to_one));
+    dict["outliers_moved"] = level.outliers_moved;
+    list.append(dict);
+  }
   return list;
 }
 
 py::dict points(const PaperRun& run) {
-  VertexMap map = results::InputNumbers(run.inputs, run.result).source_to_target();
-  auto [triangles, barycentric] = to_arrays(corner_points(run.inputs.target.mesh, map));
+  VertexMap map = run.result.source_to_target;
+  auto [triangles, barycentric] = to_arrays(corner_points(run.inputs.target.mesh(), map));
   py::dict result;
   result["vertices"] = adopt(std::move(map));
   result["triangles"] = std::move(triangles);
@@ -118,9 +107,9 @@ void bind_paper(py::module_& module) {
       .def("correspondence",
            [](const PaperRun& run) {
              const PaperLevel& last = run.result.levels.back();
-             return to_array(results::InputNumbers(run.inputs, run.result)
-                                 .translate(last.matches, last.distortion)
-                                 .matches);
+             return to_array(
+                 results::between_vertices(run.inputs, run.result, last.matches, last.distortion)
+                     .matches);
            })
       .def_property_readonly("levels", levels)
       .def_property_readonly("complete", [](const PaperRun& run) { return run.result.complete; })

@@ -6,33 +6,29 @@
 #include "bindings.h"
 #include "isomatch/methods/paper.h"
 #include "options.h"
-#include "prepared.h"
 #include "run.h"
+#include "shapes.h"
 
 namespace py = pybind11;
 
 namespace isomatch::python {
 namespace {
 
-py::array_t<int> sample(const PreparedMesh& input, double radius, const py::array& order,
+py::array_t<int> sample(const MatchInput& input, double radius, const py::array& order,
                         const RunOptions& how) {
-  const Surface& surface = input.surface();
-  const std::vector<int> first = surface_numbers(surface, to_integers(order, "order"), "order");
+  const std::vector<int> first = to_integers(order, "order");
   return adopt(run(how, [&](const Context& context) {
-    const Shape& shape = input.shape(context);
-    const auto scaled = static_cast<float>(radius / shape.unit);
-    return input_numbers(surface, sample_bases(shape, first, {}, scaled, context).bases);
+    return sample_bases(input.shape, first, radius, context);
   }));
 }
 
-py::tuple sample_both(const PreparedMesh& source, const PreparedMesh& target, int level,
+py::tuple sample_both(const MatchInput& source, const MatchInput& target, int level,
                       const py::dict& keywords, const RunOptions& how) {
   const auto options = to_options<PaperOptions>(keywords);
-  const JointSampling bases = run(how, [&](const Context& context) {
-    return sample_jointly(source.shape(context), target.shape(context), level, options, context);
+  JointSampling bases = run(how, [&](const Context& context) {
+    return sample_jointly(source.shape, target.shape, level, options, context);
   });
-  return py::make_tuple(adopt(input_numbers(source.surface(), bases.source)),
-                        adopt(input_numbers(target.surface(), bases.target)));
+  return py::make_tuple(adopt(std::move(bases.source)), adopt(std::move(bases.target)));
 }
 
 }  // namespace

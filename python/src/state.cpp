@@ -70,8 +70,8 @@ TrackedMap to_map(const results::MatchInputs& inputs, const py::tuple& state) {
   map.distortion = state[6].cast<double>();
   map.orientation = state[7].cast<double>();
   map.mirrored = state[8].cast<bool>();
-  check(std::cmp_equal(map.source_to_target.size(), inputs.source.surface.num_vertices()) &&
-        std::cmp_equal(map.target_to_source.size(), inputs.target.surface.num_vertices()) &&
+  check(std::cmp_equal(map.source_to_target.size(), inputs.source.shape.num_vertices()) &&
+        std::cmp_equal(map.target_to_source.size(), inputs.target.shape.num_vertices()) &&
         map.registered.size() == map.source_to_target.size());
   return map;
 }
@@ -145,7 +145,7 @@ PaperResult to_paper_result(const results::MatchInputs& inputs, const py::tuple&
   result.complete = state[4].cast<bool>();
   result.times = to_times(state[5]);
   check(!result.levels.empty() &&
-        std::cmp_equal(result.source_to_target.size(), inputs.source.surface.num_vertices()));
+        std::cmp_equal(result.source_to_target.size(), inputs.source.shape.num_vertices()));
   return result;
 }
 
@@ -154,8 +154,7 @@ PaperResult to_paper_result(const results::MatchInputs& inputs, const py::tuple&
 py::tuple to_state(const TrackedMatch& match) {
   py::list fits;
   for (const Fit& fit : match.fits) fits.append(results::to_json(fit).dump());
-  return py::make_tuple(match.options.dump(), to_state(match.result), fits,
-                        to_array(match.contradicted_landmarks), match.has_inverse);
+  return py::make_tuple(match.options.dump(), to_state(match.result), fits, match.has_inverse);
 }
 
 py::tuple to_state(const results::PaperRun& run) {
@@ -163,22 +162,20 @@ py::tuple to_state(const results::PaperRun& run) {
                         results::to_json(run.fit).dump());
 }
 
-TrackedMatch to_tracked(const PreparedMesh& source, const PreparedMesh& target,
+TrackedMatch to_tracked(const MatchInput& source, const MatchInput& target,
                         const py::tuple& state) {
-  check(state.size() == 5);
-  TrackedMatch match;
-  match.inputs = to_inputs(source, target);
-  match.options = results::Json::parse(state[0].cast<std::string>());
+  check(state.size() == 4);
+  TrackedMatch match{
+      {to_inputs(source, target), results::Json::parse(state[0].cast<std::string>())}};
   match.result = to_tracked_result(match.inputs, state[1].cast<py::tuple>());
   for (const auto& fit : state[2].cast<std::vector<std::string>>())
     match.fits.push_back(results::to_fit(results::Json::parse(fit)));
-  match.contradicted_landmarks = to_matches(state[3].cast<py::array>(), "state");
-  match.has_inverse = state[4].cast<bool>();
+  match.has_inverse = state[3].cast<bool>();
   check(match.fits.size() == match.result.maps.size());
   return match;
 }
 
-results::PaperRun to_paper(const PreparedMesh& source, const PreparedMesh& target,
+results::PaperRun to_paper(const MatchInput& source, const MatchInput& target,
                            const py::tuple& state) {
   check(state.size() == 4);
   results::MatchInputs inputs = to_inputs(source, target);

@@ -4,9 +4,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include "prepared.h"
 #include "results/folder/paper_output.h"
 #include "results/folder/tracked_output.h"
+#include "shapes.h"
 
 /// What makes a match anew: plain values and arrays for pickle, without the meshes.
 namespace isomatch::python {
@@ -23,9 +23,9 @@ pybind11::tuple to_state(const results::PaperRun& run);
 
 /// The match between the same meshes of which `state` was made. Throws `InvalidInput` if it does
 /// not fit them.
-TrackedMatch to_tracked(const PreparedMesh& source, const PreparedMesh& target,
+TrackedMatch to_tracked(const MatchInput& source, const MatchInput& target,
                         const pybind11::tuple& state);
-results::PaperRun to_paper(const PreparedMesh& source, const PreparedMesh& target,
+results::PaperRun to_paper(const MatchInput& source, const MatchInput& target,
                            const pybind11::tuple& state);
 
 }  // namespace isomatch::python

@@ -9,10 +9,9 @@
 #include "bindings.h"
 #include "match.h"
 #include "options.h"
-#include "prepared.h"
-#include "results/folder/input_numbers.h"
 #include "results/folder/tracked_output.h"
 #include "run.h"
+#include "shapes.h"
 #include "state.h"
 
 namespace py = pybind11;
@@ -22,29 +21,18 @@ namespace {
 
 const char* const kMethod = "tracked";
 
-TrackedMatch match(const PreparedMesh& source, const PreparedMesh& target,
-                   const py::array& landmarks, unsigned long seed, const py::dict& keywords,
-                   const RunOptions& how) {
+TrackedMatch match(const MatchInput& source, const MatchInput& target, const py::array& landmarks,
+                   unsigned long seed, const py::dict& keywords, const RunOptions& how) {
   auto options = to_options<TrackedOptions>(keywords);
-  TrackedMatch match;
-  match.inputs = to_inputs(source, target);
-  match.options = report_options(kMethod, seed, options);
-  const std::vector<Match> pairs = to_matches(landmarks, "landmarks");
-  options.landmarks = results::surface_landmarks(match.inputs, pairs);
+  TrackedMatch match{{to_inputs(source, target), report_options(kMethod, seed, options)}};
+  options.landmarks = to_matches(landmarks, "landmarks");
   match.result = run(how, [&](const Context& context) {
     TrackedResult result =
-        match_tracked(source.surface(), target.surface(), options, results::matching_part(context));
+        match_tracked(source.shape, target.shape, options, results::matching_part(context));
     match.fits = results::fits_of(match.inputs, result, context);
     return result;
   });
-  match.contradicted_landmarks = results::contradicted_pairs(match.inputs, match.result, pairs);
   return match;
-}
-
-/// A map from one mesh onto another in both forms.
-py::dict map_dict(const results::MatchInput& from, const results::MatchInput& onto,
-                  const SurfaceMap& map) {
-  return to_dict(onto.mesh, results::input_points(from, onto, map));
 }
 
 py::dict figures(const TrackedMap& map) {
@@ -56,11 +44,6 @@ py::dict figures(const TrackedMap& map) {
   result["orientation"] = map.orientation;
   result["mirrored"] = map.mirrored;
   return result;
-}
-
-py::array_t<double> registered(const TrackedMatch& run, const TrackedMap& map) {
-  const results::MatchInput& source = run.inputs.source;
-  return to_array(input_pose(source.mesh, source.surface, map.registered).vertices);
 }
 
 py::list hypotheses(const TrackedMatch& run) {
@@ -105,28 +88,24 @@ void bind_tracked(py::module_& module) {
                              [](const TrackedMatch& run) { return run.result.maps.size(); })
       .def("points",
            [](const TrackedMatch& run, std::size_t k) {
-             return map_dict(run.inputs.source, run.inputs.target,
-                             run.result.maps.at(k).source_to_target);
+             return to_dict(run.inputs.target.mesh(), run.result.maps.at(k).source_to_target);
            })
       .def("inverse_points",
            [](const TrackedMatch& run, std::size_t k) {
-             return map_dict(run.inputs.target, run.inputs.source,
-                             run.result.maps.at(k).target_to_source);
+             return to_dict(run.inputs.source.mesh(), run.result.maps.at(k).target_to_source);
            })
       .def("registered", [](const TrackedMatch& run,
-                            std::size_t k) { return registered(run, run.result.maps.at(k)); })
+                            std::size_t k) { return to_array(run.result.maps.at(k).registered); })
       .def("figures",
            [](const TrackedMatch& run, std::size_t k) { return figures(run.result.maps.at(k)); })
       .def("correspondence",
-           [](const TrackedMatch& run) {
-             return to_array(results::input_matches(run.inputs, run.result.maps.front()));
-           })
+           [](const TrackedMatch& run) { return to_array(results::relation(run)); })
       .def_property_readonly("hypotheses", hypotheses)
       .def_property_readonly("doubts", [](const TrackedMatch& run) { return results::doubts(run); })
       .def("fit", [](const TrackedMatch& run, std::size_t k) { return to_dict(run.fits.at(k)); })
       .def_property_readonly(
           "contradicted_landmarks",
-          [](const TrackedMatch& run) { return to_array(run.contradicted_landmarks); })
+          [](const TrackedMatch& run) { return to_array(run.result.contradicted_landmarks); })
       .def_property_readonly("has_inverse", [](const TrackedMatch& run) { return run.has_inverse; })
       .def_property_readonly("ambiguity",
                              [](const TrackedMatch& run) { return run.result.ambiguity; })

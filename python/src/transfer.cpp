@@ -16,9 +16,9 @@
 #include "isomatch/carry/texture_transfer.h"
 #include "isomatch/error.h"
 #include "options.h"
-#include "prepared.h"
 #include "results/folder/result.h"
 #include "run.h"
+#include "shapes.h"
 #include "textures.h"
 
 namespace py = pybind11;
@@ -26,7 +26,7 @@ namespace py = pybind11;
 namespace isomatch::python {
 namespace {
 
-using SharedMesh = std::shared_ptr<PreparedMesh>;
+using SharedMesh = std::shared_ptr<MatchInput>;
 
 /// Two meshes and where the vertices of each lie on the other.
 struct Transfer {
@@ -35,18 +35,16 @@ struct Transfer {
 };
 
 /// A map that was given as vertices, or as faces and weights.
-SurfaceMap given_map(const PreparedMesh& from, const PreparedMesh& onto, const py::tuple& arrays) {
+SurfaceMap given_map(const MatchInput& from, const MatchInput& onto, const py::tuple& arrays) {
   SurfaceMap points;
   if (arrays.size() == 2) {
     points = to_surface_map(arrays[0].cast<py::array>(), arrays[1].cast<py::array>());
   } else {
     const VertexMap vertices = to_integers(arrays[0].cast<py::array>(), "the map");
-    for (const int vertex : vertices) {
-      if (vertex != kUnmatched) check_vertex(vertex, onto.mesh().vertices.size(), "the map");
-    }
+    check_map(from.shape.num_vertices(), onto.mesh(), vertices);
     points = corner_points(onto.mesh(), vertices);
   }
-  check_map(from, onto, points);
+  check_map(from.shape.num_vertices(), onto.mesh(), points);
   return points;
 }
 
@@ -56,7 +54,7 @@ Transfer make_transfer(const SharedMesh& source, const SharedMesh& target,
           given_map(*target, *source, target_to_source)};
 }
 
-py::dict inverse(const PreparedMesh& source, const PreparedMesh& target,
+py::dict inverse(const MatchInput& source, const MatchInput& target,
                  const py::tuple& source_to_target, const py::dict& keywords,
                  const RunOptions& how) {
   const auto options = to_options<InversionOptions>(keywords);
@@ -74,7 +72,10 @@ py::dict landmarks(const Transfer& transfer, const py::tuple& arrays) {
     points = to_surface_map(arrays[0].cast<py::array>(), arrays[1].cast<py::array>());
   } else {
     const std::vector<int> vertices = to_integers(arrays[0].cast<py::array>(), "landmarks");
-    for (const int vertex : vertices) check_vertex(vertex, source.vertices.size(), "landmarks");
+    for (const int vertex : vertices)
+      if (vertex < 0 || vertex >= source.num_vertices())
+        throw InvalidInput(fmt::format("landmarks: vertex {} is out of range; there are {}", vertex,
+                                       source.num_vertices()));
     points = corner_points(source, vertices);
   }
   const Mesh& target = transfer.target->mesh();

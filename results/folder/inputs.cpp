@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <future>
+#include <optional>
 #include <utility>
 
 #include "results/loaded_mesh.h"
@@ -12,22 +13,10 @@
 namespace isomatch::results {
 namespace {
 
-MatchInput read(const std::string& path) {
-  MatchInput input{path, {}, {}, {}, {}};
-  input.mesh = read_mesh(path, &input.read_report);
-  return input;
-}
-
-void inspect_input(MatchInput& input) {
-  Inspection inspection = inspected(input.path, input.mesh);
-  input.diagnosis = inspection.diagnosis;
-  input.surface = std::move(*inspection.surface);
-}
-
 /// Fails now rather than after the work.
 void check_truth(const TruthFiles& truth, const MatchInputs& inputs) {
   if (truth.source.empty() || truth.target.empty()) return;
-  read_truth(truth, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()});
+  read_truth(truth, {inputs.source.mesh().num_vertices(), inputs.target.mesh().num_vertices()});
 }
 
 /// Does `work` for the source and the target, whose errors come second.
@@ -42,31 +31,32 @@ void for_both(const Context& context, const Work& work) {
 }  // namespace
 
 MatchInputs load_inputs(const std::string& source, const std::string& target,
-                        const TruthFiles& truth, const Warn& warn, const Context& context) {
-  MatchInputs inputs{{}, std::filesystem::current_path().string(), {}, {}, {}};
-  const std::array both{&inputs.source, &inputs.target};
+                        const GeodesicOptions& geodesics, const TruthFiles& truth, const Warn& warn,
+                        const Context& context) {
   const std::array paths{source, target};
+  std::array<Mesh, 2> meshes;
+  std::array<MeshReadReport, 2> reports;
+  std::array<std::optional<Shape>, 2> shapes;
+  std::vector<StageTime> times;
   const auto timed = [&](std::string_view stage, double begun, const auto& work) {
     context.report(begun, stage);
-    const StageTimer timer(inputs.times, stage);
+    const StageTimer timer(times, stage);
     for_both(context, work);
   };
-  timed("reading", 0, [&](int side) { *both[side] = read(paths[side]); });
+  timed("reading", 0, [&](int side) { meshes[side] = read_mesh(paths[side], &reports[side]); });
   // In one order, although both were read at once.
-  for (const MatchInput* input : both)
-    for (const std::string& warning : input->read_report.warnings) warn(input->path, warning);
-  timed("diagnosis", kLoaded / 4, [&](int side) { inspect_input(*both[side]); });
+  for (const int side : {0, 1})
+    for (const std::string& warning : reports[side].warnings) warn(paths[side], warning);
+  timed("diagnosis", kLoaded / 4, [&](int side) {
+    shapes[side] = shape_of(paths[side], std::move(meshes[side]), geodesics);
+  });
+  MatchInputs inputs{{},
+                     std::filesystem::current_path().string(),
+                     {source, std::move(reports[0]), *shapes[0]},
+                     {target, std::move(reports[1]), *shapes[1]},
+                     std::move(times)};
   check_truth(truth, inputs);
   return inputs;
-}
-
-std::vector<std::vector<int>> input_vertices(const Surface& surface) {
-  std::vector<std::vector<int>> vertices(surface.num_vertices());
-  for (std::size_t v = 0; v < surface.surface_vertex.size(); ++v) {
-    if (surface.surface_vertex[v] != kNoVertex)
-      vertices[surface.surface_vertex[v]].push_back(static_cast<int>(v));
-  }
-  return vertices;
 }
 
 Context matching_part(const Context& context) {

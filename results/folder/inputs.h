@@ -6,19 +6,21 @@
 #include <vector>
 
 #include "isomatch/io/mesh_io.h"
-#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/mesh/shape.h"
 #include "isomatch/stage_times.h"
 #include "results/evaluation.h"
 #include "results/warn.h"
 
 namespace isomatch::results {
 
+/// A mesh, where it came from, and what reading it told. Cheap to copy.
 struct MatchInput {
+  /// Empty if it is not from a file.
   std::string path;
-  Mesh mesh;
   MeshReadReport read_report;
-  MeshDiagnosis diagnosis;
-  Surface surface;
+  Shape shape;
+
+  const Mesh& mesh() const { return shape.mesh(); }
 };
 
 struct MatchInputs {
@@ -33,10 +35,8 @@ struct MatchInputs {
 /// threads, and checks `truth`, if there is one, against them. Reports progress up to `kLoaded`.
 /// What readers warn of goes to `warn`, the source's first. `words` stay empty. Throws `BadFile`.
 MatchInputs load_inputs(const std::string& source, const std::string& target,
-                        const TruthFiles& truth, const Warn& warn, const Context& context);
-
-/// Input vertices of each surface vertex: several where a seam was joined.
-std::vector<std::vector<int>> input_vertices(const Surface& surface);
+                        const GeodesicOptions& geodesics, const TruthFiles& truth, const Warn& warn,
+                        const Context& context);
 
 /// Fractions of the progress at which the meshes are loaded, matched and the map is judged.
 inline constexpr double kLoaded = 0.03, kMatched = 0.94, kJudged = 0.98;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "isomatch/io/map_io.h"
-#include "results/folder/input_numbers.h"
+#include "results/folder/base_matches.h"
 #include "results/folder/report.h"
 
 namespace isomatch::results {
@@ -76,18 +76,19 @@ std::vector<std::string> paper_files(int max_levels) {
 }
 
 ResultMap result_map(const PaperRun& run) {
-  VertexMap vertices = InputNumbers(run.inputs, run.result).source_to_target();
-  SurfaceMap points = corner_points(run.inputs.target.mesh, vertices);
-  return {{}, std::move(vertices), std::move(points), {}};
+  const VertexMap& vertices = run.result.source_to_target;
+  return {{}, vertices, corner_points(run.inputs.target.mesh(), vertices), {}};
 }
 
 std::vector<ResultLevel> result_levels(const PaperRun& run) {
-  const InputNumbers numbers(run.inputs, run.result);
+  const auto numbered = [&](const Correspondence& matches, const std::vector<double>& distortion) {
+    return between_vertices(run.inputs, run.result, matches, distortion);
+  };
   std::vector<ResultLevel> levels;
   for (const PaperLevel& level : run.result.levels)
     levels.push_back(
-        {numbers.translate(level.matches, level.distortion),
-         numbers.translate(to_correspondence(level.many_to_one), level.many_to_one_distortion)});
+        {numbered(level.matches, level.distortion),
+         numbered(to_correspondence(level.many_to_one), level.many_to_one_distortion)});
   return levels;
 }
 

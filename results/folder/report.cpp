@@ -13,7 +13,7 @@ Json input_json(const MatchInput& input) {
   json.update({{"triangulated_polygons", input.read_report.triangulated_polygons},
                {"merged_vertices", input.read_report.merged_vertices},
                {"read_warnings", input.read_report.warnings}});
-  json.update(to_json(input.diagnosis));
+  json.update(to_json(input.shape.diagnosis()));
   return json;
 }
 

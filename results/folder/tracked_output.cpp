@@ -8,7 +8,6 @@
 
 #include "isomatch/io/map_io.h"
 #include "isomatch/mesh/topology.h"
-#include "results/folder/input_numbers.h"
 #include "results/folder/report.h"
 
 namespace isomatch::results {
@@ -31,17 +30,15 @@ std::string alternative_folder(std::size_t number) {
 }
 
 void write_map(ResultFolder& folder, const TrackedRun& run, std::size_t k) {
-  const MatchInput& source = run.inputs.source;
+  const Mesh& source = run.inputs.source.mesh();
   const ResultMap map = result_map(run, k);
   const std::string place = map.folder.empty() ? "" : map.folder + "/";
   write_points(folder, place + "source_to_target", map.source_to_target, map.points);
   if (run.target_to_source) {
-    const SurfaceMap inverse =
-        input_points(run.inputs.target, source, run.result.maps[k].target_to_source);
-    write_points(folder, place + "target_to_source", nearest_vertices(source.mesh, inverse),
-                 inverse);
+    const SurfaceMap& inverse = run.result.maps[k].target_to_source;
+    write_points(folder, place + "target_to_source", nearest_vertices(source, inverse), inverse);
   }
-  write_mesh(folder.add(place + "registered.ply"), {map.registered, source.mesh.faces});
+  write_mesh(folder.add(place + "registered.ply"), {map.registered, source.faces});
 }
 
 Json map_json(const TrackedMap& map) {
@@ -85,17 +82,17 @@ Json landmarks_json(const std::vector<Match>& landmarks) {
 Json report_json(const TrackedRun& run, std::size_t num_matches,
                  const std::vector<StageTime>& times) {
   const TrackedResult& result = run.result;
-  const int matched = matched_vertices(run, result.maps.front());
+  const int matched = matched_vertices(result.maps.front());
   Json report = report_head(run.inputs, run.options);
   report.update({{"source_vertices_matched", matched},
-                 {"source_vertices_unmatched", run.inputs.source.mesh.num_vertices() - matched},
+                 {"source_vertices_unmatched", run.inputs.source.mesh().num_vertices() - matched},
                  {"matches", num_matches},
                  {"map", map_json(result.maps.front())},
                  {"fit", to_json(run.fits.front())},
                  {"ambiguity", result.ambiguity},
                  {"ambiguous", is_ambiguous(result)},
                  {"oriented", result.oriented},
-                 {"contradicted_landmarks", landmarks_json(run.contradicted_landmarks)},
+                 {"contradicted_landmarks", landmarks_json(run.result.contradicted_landmarks)},
                  {"alternatives", alternatives_json(run)},
                  {"hypotheses", hypotheses_json(result.hypotheses)}});
   report.update(report_tail(times));
@@ -119,20 +116,9 @@ std::vector<std::string> tracked_files(int alternatives, bool target_to_source) 
   return files;
 }
 
-std::vector<Match> contradicted_pairs(const MatchInputs& inputs, const TrackedResult& result,
-                                      const std::vector<Match>& pairs) {
-  std::vector<Match> found;
-  for (const Match& pair : pairs) {
-    const Match landmark{inputs.source.surface.surface_vertex[pair.source],
-                         inputs.target.surface.surface_vertex[pair.target]};
-    if (std::ranges::count(result.contradicted_landmarks, landmark) > 0) found.push_back(pair);
-  }
-  return found;
-}
-
 std::vector<std::string> doubts(const TrackedRun& run) {
   std::vector<std::string> list;
-  for (const auto& [source, target] : run.contradicted_landmarks)
+  for (const auto& [source, target] : run.result.contradicted_landmarks)
     list.push_back(
         fmt::format("the landmark {} {} contradicts the shapes: without it a far better "
                     "map is found",
@@ -147,17 +133,17 @@ std::vector<std::string> doubts(const TrackedRun& run) {
   return list;
 }
 
-int matched_vertices(const TrackedRun& run, const TrackedMap& map) {
-  return count_points(input_points(run.inputs.source, run.inputs.target, map.source_to_target));
-}
+int matched_vertices(const TrackedMap& map) { return count_points(map.source_to_target); }
 
 ResultMap result_map(const TrackedRun& run, std::size_t k) {
-  const MatchInput &source = run.inputs.source, &target = run.inputs.target;
   const TrackedMap& map = run.result.maps[k];
-  SurfaceMap points = input_points(source, target, map.source_to_target);
-  VertexMap vertices = nearest_vertices(target.mesh, points);
-  return {k == 0 ? "" : alternative_folder(k), std::move(vertices), std::move(points),
-          input_pose(source.mesh, source.surface, map.registered).vertices};
+  return {k == 0 ? "" : alternative_folder(k),
+          nearest_vertices(run.inputs.target.mesh(), map.source_to_target), map.source_to_target,
+          map.registered};
+}
+
+Correspondence relation(const TrackedRun& run) {
+  return matches(run.inputs.source.shape, run.inputs.target.shape, run.result.maps.front());
 }
 
 Json write_tracked(const ResultPlan& plan, const TrackedRun& run) {
@@ -168,7 +154,7 @@ Json write_tracked(const ResultPlan& plan, const TrackedRun& run) {
   {
     const StageTimer timer(times, "writing");
     write_map(folder, run, 0);
-    const Correspondence relation = input_matches(run.inputs, maps.front());
+    const Correspondence relation = results::relation(run);
     write_correspondence(folder.add("correspondence.txt"), relation);
     num_matches = relation.size();
     for (std::size_t k = 1; k < maps.size(); ++k) write_map(folder, run, k);

@@ -17,20 +17,14 @@ namespace isomatch::results {
 struct TrackedRun {
   MatchInputs inputs;
   Json options;
-  TrackedResult result;
+  TrackedResult result = {};
   /// Of each map.
-  std::vector<Fit> fits;
-  /// Landmarks that the shapes contradict, in the numbers of the input files.
-  std::vector<Match> contradicted_landmarks;
+  std::vector<Fit> fits = {};
   bool target_to_source = false;
 };
 
-/// Of the source's input vertices, those that `map`, one of `run`'s, leads to a point.
-int matched_vertices(const TrackedRun& run, const TrackedMap& map);
-
-/// Those of `pairs`, the landmarks in the numbers of the input files, that the shapes contradict.
-std::vector<Match> contradicted_pairs(const MatchInputs& inputs, const TrackedResult& result,
-                                      const std::vector<Match>& pairs);
+/// Of the source, those that the map leads to a point.
+int matched_vertices(const TrackedMap& map);
 
 /// Besides the fit and the defects of the meshes, why one should look at the map: a sentence each.
 std::vector<std::string> doubts(const TrackedRun& run);
@@ -47,6 +41,8 @@ Json write_tracked(const ResultPlan& plan, const TrackedRun& run);
 
 /// Map K of `run`, 0 the best, as it is written: in the numbers of the input files.
 ResultMap result_map(const TrackedRun& run, std::size_t k);
+/// The many-to-many relation of the best map.
+Correspondence relation(const TrackedRun& run);
 
 /// The names of what it may write, with this many alternatives at most; but for report.json.
 std::vector<std::string> tracked_files(int alternatives, bool target_to_source);

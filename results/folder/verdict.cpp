@@ -18,12 +18,13 @@ void doubt(Fit& fit, std::string reason) {
   fit.reasons.push_back(std::move(reason));
 }
 
-Fit fit_of(const MatchInputs& inputs, const SurfaceMap& map, const FitOptions& options,
+template <class Map>
+Fit fit_of(const MatchInputs& inputs, const Map& map, const FitOptions& options,
            const Context& context) {
-  Fit fit = judge_fit(inputs.source.surface, inputs.target.surface, map, options, context);
+  Fit fit = judge_fit(inputs.source.shape, inputs.target.shape, map, options, context);
   for (const auto& [name, input] :
        {std::pair{"source", &inputs.source}, {"target", &inputs.target}}) {
-    if (!input->diagnosis.grave_warnings().empty())
+    if (!input->shape.diagnosis().grave_warnings().empty())
       doubt(fit, fmt::format("the {} has a grave defect, see there", name));
   }
   return fit;
@@ -54,8 +55,7 @@ std::vector<Fit> fits_of(const MatchInputs& inputs, TrackedResult& result, const
 Fit fit_of(const MatchInputs& inputs, PaperResult& result, const Context& context) {
   context.report(kMatched, kStage);
   const StageTimer timer(result.times, kStage);
-  return fit_of(inputs, corner_points(inputs.target.surface.mesh, result.source_to_target), {},
-                context);
+  return fit_of(inputs, result.source_to_target, {}, context);
 }
 
 Json to_json(const Fit& fit) {

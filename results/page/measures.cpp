@@ -15,17 +15,6 @@ namespace {
 
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-struct Shapes {
-  Shape source, target;
-};
-
-/// Values of surface vertices as values of the vertices of the file.
-std::vector<double> at_input(const Surface& surface, const std::vector<double>& values) {
-  std::vector<double> result;
-  for (int v : surface.surface_vertex) result.push_back(v == kNoVertex ? kNotMeasured : values[v]);
-  return result;
-}
-
 std::vector<double> d_iso_of_levels(const MatchResult& result, const ResultLevel& last) {
   std::vector<double> d_iso(result.source.vertices.size(), kNotMeasured);
   for (std::size_t m = 0; m < last.many_to_one.matches.size(); ++m)
@@ -33,24 +22,22 @@ std::vector<double> d_iso_of_levels(const MatchResult& result, const ResultLevel
   return d_iso;
 }
 
-std::vector<double> measured_d_iso(const Shapes& shapes, const SurfaceMap& map,
+std::vector<double> measured_d_iso(const Shapes& shapes, const VertexMap& map,
                                    const Context& context) {
-  const Correspondence matches =
-      to_correspondence(nearest_vertices(shapes.target.surface.mesh, map));
+  const Correspondence matches = to_correspondence(map);
   const IsometricDistortion distortion =
       isometric_distortion(shapes.source, shapes.target, matches, {.list_size = 100}, context);
   std::vector<double> d_iso(map.size(), kNotMeasured);
   for (std::size_t m = 0; m < matches.size(); ++m)
     d_iso[matches[m].source] = distortion.per_match[m];
-  return at_input(shapes.source.surface, d_iso);
+  return d_iso;
 }
 
 /// At most `kMaxErrorSamples` points of a truth, evenly spaced in its order.
-GroundTruth load_truth(const MatchResult& result, const Shapes& shapes, const TruthFiles& files) {
+GroundTruth load_truth(const Shapes& shapes, const TruthFiles& files) {
   const TruthVertices given =
-      read_truth(files, {result.source.num_vertices(), result.target.num_vertices()});
-  const GroundTruth all =
-      surface_truth(shapes.source.surface, shapes.target.surface, given.source, given.target);
+      read_truth(files, {shapes.source.num_vertices(), shapes.target.num_vertices()});
+  const GroundTruth all = on_surfaces(shapes.source, shapes.target, {given.source, given.target});
   if (all.size() <= kMaxErrorSamples) return all;
   GroundTruth truth;
   for (std::size_t i = 0; i < kMaxErrorSamples; ++i) {
@@ -61,8 +48,9 @@ GroundTruth load_truth(const MatchResult& result, const Shapes& shapes, const Tr
   return truth;
 }
 
-/// Gives vertices without an error that of the nearest vertex with one.
-void spread(const Mesh& mesh, std::vector<double>& errors) {
+/// Gives vertices of the surface without an error that of the nearest vertex with one.
+void spread(const Shape& source, std::vector<double>& errors) {
+  const Mesh& mesh = source.mesh();
   std::vector<Point> places;
   std::vector<double> known;
   for (std::size_t v = 0; v < errors.size(); ++v) {
@@ -74,42 +62,41 @@ void spread(const Mesh& mesh, std::vector<double>& errors) {
   const PointTree tree(places);
   for (std::size_t v = 0; v < errors.size(); ++v) {
     std::array<std::size_t, 1> nearest{};
-    if (std::isnan(errors[v]) && tree.nearest(mesh.vertices[v], nearest) > 0)
+    if (std::isnan(errors[v]) && source.on_surface(static_cast<int>(v)) &&
+        tree.nearest(mesh.vertices[v], nearest) > 0)
       errors[v] = known[nearest[0]];
   }
 }
 
 std::vector<double> measured_error(const Shapes& shapes, const SurfaceMap& map,
                                    const GroundTruth& truth, const Context& context) {
-  const Mesh& mesh = shapes.source.surface.mesh;
-  const std::vector<double> list = point_error_list(shapes.target, truth, map, context);
-  std::vector<double> errors(mesh.vertices.size(), kNotMeasured);
-  for (int i = 0; i < truth.size(); ++i) errors[truth.source[i]] = list[i];
-  spread(mesh, errors);
-  return at_input(shapes.source.surface, errors);
+  std::vector<double> errors = vertex_errors(shapes.source, shapes.target, truth, map, context);
+  spread(shapes.source, errors);
+  return errors;
 }
 
 }  // namespace
 
-std::vector<MapMeasures> measure_maps(const MatchResult& result,
-                                      const std::vector<ResultLevel>& levels,
-                                      const TruthFiles& files, const Context& context) {
+std::vector<MapMeasures> measure_maps(const ShownMatch& match, const TruthFiles& files,
+                                      const Context& context) {
   if (files.source.empty() != files.target.empty())
     throw InvalidInput("a ground truth needs both --gt-source and --gt-target");
+  const MatchResult& result = match.result;
   const bool has_truth = !files.source.empty();
   std::vector<MapMeasures> measures(result.maps.size());
-  if (!levels.empty()) measures.front().d_iso = d_iso_of_levels(result, levels.back());
-  if (!levels.empty() && !has_truth) return measures;
-  const Shapes shapes{prepare_loaded(result.source_path, result.source, context),
-                      prepare_loaded(result.target_path, result.target, context)};
-  const GroundTruth truth = has_truth ? load_truth(result, shapes, files) : GroundTruth{};
+  if (!match.levels.empty()) measures.front().d_iso = d_iso_of_levels(result, match.levels.back());
+  if (!match.levels.empty() && !has_truth) return measures;
+  const Shapes shapes = match.shapes ? *match.shapes
+                                     : Shapes{shape_of(result.source_path, result.source),
+                                              shape_of(result.target_path, result.target)};
+  const GroundTruth truth = has_truth ? load_truth(shapes, files) : GroundTruth{};
   for (std::size_t k = 0; k < measures.size(); ++k) {
     context.report(0.1 + 0.8 * static_cast<double>(k) / static_cast<double>(measures.size()),
                    "measuring");
-    const SurfaceMap map =
-        surface_map(shapes.source.surface, shapes.target.surface, result.maps[k].points);
-    if (measures[k].d_iso.empty()) measures[k].d_iso = measured_d_iso(shapes, map, context);
-    if (has_truth) measures[k].error = measured_error(shapes, map, truth, context);
+    if (measures[k].d_iso.empty())
+      measures[k].d_iso = measured_d_iso(shapes, result.maps[k].source_to_target, context);
+    if (has_truth)
+      measures[k].error = measured_error(shapes, result.maps[k].points, truth, context);
   }
   return measures;
 }

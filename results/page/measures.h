@@ -8,8 +8,7 @@
 
 #include "isomatch/context.h"
 #include "results/evaluation.h"
-#include "results/folder/levels.h"
-#include "results/folder/result.h"
+#include "results/page/shown_match.h"
 
 namespace isomatch::results {
 
@@ -24,12 +23,11 @@ struct MapMeasures {
 /// Vertices at which errors are measured at most; others have the error of the nearest of these.
 inline constexpr int kMaxErrorSamples = 20000;
 
-/// Measures every map of `result`, against `truth` if it is given (but for its symmetric one). The
+/// Measures every map of `match`, against `truth` if it is given (but for its symmetric one). The
 /// paper's d_iso is that of its last level, others are measured against 100 matches as in the
 /// paper. Throws `BadFile` as `read_ground_truth`, and `InvalidInput` if only one file of a truth
 /// is given.
-std::vector<MapMeasures> measure_maps(const MatchResult& result,
-                                      const std::vector<ResultLevel>& levels,
-                                      const TruthFiles& truth, const Context& context);
+std::vector<MapMeasures> measure_maps(const ShownMatch& match, const TruthFiles& truth,
+                                      const Context& context);
 
 }  // namespace isomatch::results

@@ -178,24 +178,23 @@ Json colors_json(const MatchResult& result, const PairView& view) {
 /// Maps and levels.
 void add_results(Packing& packing, const ShownMatch& match,
                  const std::vector<MapMeasures>& measures, Json& manifest) {
-  const auto& [result, relation, levels] = match;
-  const std::vector<bool> target_matched = matched_targets(result.target, relation);
+  const MatchResult& result = match.result;
+  const std::vector<bool> target_matched = matched_targets(result.target, match.relation);
   manifest["maps"] = Json::array();
   for (std::size_t k = 0; k < result.maps.size(); ++k)
     manifest["maps"].push_back(add_map(packing, result, result.maps[k], measures[k], target_matched,
                                        "maps/" + std::to_string(k)));
   manifest["levels"] = Json::array();
-  for (std::size_t k = 0; k < levels.size(); ++k)
+  for (std::size_t k = 0; k < match.levels.size(); ++k)
     manifest["levels"].push_back(
-        add_level(packing, levels[k].many_to_many, "levels/" + std::to_string(k)));
+        add_level(packing, match.levels[k].many_to_many, "levels/" + std::to_string(k)));
 }
 
 }  // namespace
 
 PageData page_data(ShownMatch match, const PageOptions& options, const Context& context) {
   MatchResult& result = match.result;
-  const std::vector<MapMeasures> measures =
-      measure_maps(result, match.levels, options.truth, context);
+  const std::vector<MapMeasures> measures = measure_maps(match, options.truth, context);
   context.report(0.9, "writing");
   make_drawable(result);
   const PairView view = choose_pair_view(result, result.maps.front(), options.view);

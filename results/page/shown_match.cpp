@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include "results/folder/input_numbers.h"
-
 namespace isomatch::results {
 namespace {
 
@@ -14,24 +12,30 @@ MatchResult without_maps(const MatchInputs& inputs, const std::string& folder, J
           std::move(report),
           inputs.source.path,
           inputs.target.path,
-          inputs.source.mesh,
-          inputs.target.mesh,
+          inputs.source.mesh(),
+          inputs.target.mesh(),
           {}};
 }
+
+Shapes shapes_of(const MatchInputs& inputs) { return {inputs.source.shape, inputs.target.shape}; }
 
 }  // namespace
 
 ShownMatch shown_match(const TrackedRun& run, const std::string& folder, Json report) {
   ShownMatch shown{without_maps(run.inputs, folder, std::move(report)),
-                   input_matches(run.inputs, run.result.maps.front()),
-                   {}};
+                   relation(run),
+                   {},
+                   shapes_of(run.inputs)};
   for (std::size_t k = 0; k < run.result.maps.size(); ++k)
     shown.result.maps.push_back(result_map(run, k));
   return shown;
 }
 
 ShownMatch shown_match(const PaperRun& run, const std::string& folder, Json report) {
-  ShownMatch shown{without_maps(run.inputs, folder, std::move(report)), {}, result_levels(run)};
+  ShownMatch shown{without_maps(run.inputs, folder, std::move(report)),
+                   {},
+                   result_levels(run),
+                   shapes_of(run.inputs)};
   shown.relation = shown.levels.back().many_to_many.matches;
   shown.result.maps.push_back(result_map(run));
   return shown;
@@ -41,7 +45,7 @@ ShownMatch load_shown(const std::string& folder, const MeshPlaces& places) {
   MatchResult result = load_result(folder, places);
   Correspondence relation = load_relation(result);
   std::vector<ResultLevel> levels = load_levels(result);
-  return {std::move(result), std::move(relation), std::move(levels)};
+  return {std::move(result), std::move(relation), std::move(levels), {}};
 }
 
 }  // namespace isomatch::results

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@
 
 namespace isomatch::results {
 
+struct Shapes {
+  Shape source, target;
+};
+
 /// All that a page shows of a match, in the numbers of the input files.
 struct ShownMatch {
   MatchResult result;
@@ -19,6 +24,8 @@ struct ShownMatch {
   Correspondence relation;
   /// Of the paper's method.
   std::vector<ResultLevel> levels;
+  /// Those that were matched, if they are at hand.
+  std::optional<Shapes> shapes;
 };
 
 /// A match whose results were written into `folder`, with `report` as its report.json. It is what

@@ -2,17 +2,46 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/maps/surface_map.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
+namespace {
+
+void check_length(std::size_t length, int vertices) {
+  if (std::cmp_not_equal(length, vertices))
+    throw InvalidInput(
+        fmt::format("the map has {} points, but the mesh {} vertices", length, vertices));
+}
+
+}  // namespace
 
 Point position(const Mesh& mesh, const SurfacePoint& point) {
   const Face& face = mesh.faces[point.face];
   Point sum(0, 0, 0);
   for (int k = 0; k < 3; ++k) sum += point.weights[k] * mesh.vertices[face[k]];
   return sum;
+}
+
+void check_map(int from_vertices, const Mesh& onto, const SurfaceMap& map) {
+  check_length(map.size(), from_vertices);
+  for (const SurfacePoint& point : map)
+    if (point.face < kNoFace || point.face >= onto.num_faces())
+      throw InvalidInput(fmt::format("the map: face {} is out of range; there are {}", point.face,
+                                     onto.num_faces()));
+}
+
+void check_map(int from_vertices, const Mesh& onto, const VertexMap& map) {
+  check_length(map.size(), from_vertices);
+  for (const int vertex : map)
+    if (vertex < kUnmatched || vertex >= onto.num_vertices())
+      throw InvalidInput(fmt::format("the map: vertex {} is out of range; there are {}", vertex,
+                                     onto.num_vertices()));
 }
 
 SurfaceMap corner_points(const Mesh& mesh) {

@@ -11,6 +11,7 @@
 
 #include "isomatch/error.h"
 #include "measure/fit_measures.h"
+#include "shape/prepared_shape.h"
 
 namespace isomatch {
 namespace {
@@ -58,23 +59,7 @@ std::string describe_reversal(double share) {
                      : percent(share) + " of the source is turned over";
 }
 
-}  // namespace
-
-std::string_view to_string(FitGrade grade) {
-  switch (grade) {
-    case FitGrade::kGood:
-      return "good";
-    case FitGrade::kDoubtful:
-      return "doubtful";
-    case FitGrade::kPoor:
-      return "poor";
-  }
-  throw InternalError("unknown grade of a fit");
-}
-
-Fit judge_fit(const Shape& source, const Shape& target, const SurfaceMap& source_to_target,
-              const FitOptions& options, const Context& context) {
-  FitMeasures measures = measure_fit(source, target, source_to_target, context);
+Fit judged(FitMeasures measures, const FitOptions& options) {
   if (options.mirrored && measures.reversed >= 0) measures.reversed = 1 - measures.reversed;
   Judge judge;
   judge.consider(measures.distorted, kDistortedLimits,
@@ -94,6 +79,40 @@ Fit judge_fit(const Shape& source, const Shape& target, const SurfaceMap& source
                  fmt::format("distances between neighbours change by {:.0f} % on average",
                              100 * std::expm1(measures.stretch)));
   return judge.fit(measures);
+}
+
+OnSurface<VertexMap> nearest_surface_vertices(const Shape& source, const Shape& target,
+                                              const SurfaceMap& map) {
+  const Surface& onto = *target.prepared().surface();
+  return OnSurface(
+      nearest_vertices(onto.mesh, *on_surfaces(*source.prepared().surface(), onto, map)));
+}
+
+}  // namespace
+
+std::string_view to_string(FitGrade grade) {
+  switch (grade) {
+    case FitGrade::kGood:
+      return "good";
+    case FitGrade::kDoubtful:
+      return "doubtful";
+    case FitGrade::kPoor:
+      return "poor";
+  }
+  throw InternalError("unknown grade of a fit");
+}
+
+Fit judge_fit(const Shape& source, const Shape& target, const SurfaceMap& source_to_target,
+              const FitOptions& options, const Context& context) {
+  const OnSurface<VertexMap> map = nearest_surface_vertices(source, target, source_to_target);
+  return judged(measure_fit(source, target, map, context), options);
+}
+
+Fit judge_fit(const Shape& source, const Shape& target, const VertexMap& source_to_target,
+              const FitOptions& options, const Context& context) {
+  const OnSurface<VertexMap> map =
+      on_surfaces(*source.prepared().surface(), *target.prepared().surface(), source_to_target);
+  return judged(measure_fit(source, target, map, context), options);
 }
 
 }  // namespace isomatch

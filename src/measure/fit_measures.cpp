@@ -46,18 +46,17 @@ Side side_of(const Shape& shape, const Context& context) {
   return {*shape.prepared().surface(), shape.prepared().graph(GeodesicOptions::edges(), context)};
 }
 
-/// Vertices of the source that have an image, and the target's vertex nearest to each.
+/// Vertices of the source that have an image, and their images.
 struct Images {
   std::vector<int> vertices, targets;
 };
 
-Images images_of(const Side& target, const SurfacePoints& map) {
+Images images_of(const OnSurface<VertexMap>& map) {
   Images images;
-  const VertexMap nearest = nearest_vertices(target.surface.mesh, *map);
   for (int v = 0; v < static_cast<int>(map->size()); ++v) {
-    if (nearest[v] == kUnmatched) continue;
+    if ((*map)[v] == kUnmatched) continue;
     images.vertices.push_back(v);
-    images.targets.push_back(nearest[v]);
+    images.targets.push_back((*map)[v]);
   }
   return images;
 }
@@ -241,10 +240,10 @@ double reversed_share(const Side& source, const Side& target, const Images& samp
 
 }  // namespace
 
-FitMeasures measure_fit(const Shape& source, const Shape& target, const SurfaceMap& map,
+FitMeasures measure_fit(const Shape& source, const Shape& target, const OnSurface<VertexMap>& map,
                         const Context& context) {
   const Side from = side_of(source, context), onto = side_of(target, context);
-  const Images images = images_of(onto, on_surfaces(from.surface, onto.surface, map));
+  const Images images = images_of(map);
   if (images.vertices.empty()) return {.unreached = 1, .unmatched = 1, .reversed = -1};
   FitMeasures measures;
   const Images samples = spread(images, from, context);

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "isomatch/measure/fit.h"
+#include "shape/numbers.h"
 
 namespace isomatch {
 
-/// Throws `InvalidInput` if the map does not fit the surfaces. O(N log N).
-FitMeasures measure_fit(const Shape& source, const Shape& target, const SurfaceMap& map,
+/// Of a map to vertices. O(N log N).
+FitMeasures measure_fit(const Shape& source, const Shape& target, const OnSurface<VertexMap>& map,
                         const Context& context);
 
 }  // namespace isomatch

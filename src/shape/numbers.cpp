@@ -28,6 +28,12 @@ SurfacePoint turned(const SurfacePoint& point, int face, bool is_turned) {
   return result;
 }
 
+void check_length(std::size_t length, const Surface& source) {
+  if (length != source.surface_vertex.size())
+    throw InvalidInput(
+        fmt::format("the map has {} points for {} vertices", length, source.surface_vertex.size()));
+}
+
 void sort_without_repetition(Correspondence& matches) {
   std::ranges::sort(matches);
   const auto repeated = std::ranges::unique(matches);
@@ -62,9 +68,7 @@ SurfaceMatches on_surfaces(const Surface& source, const Surface& target,
 }
 
 SurfacePoints on_surfaces(const Surface& source, const Surface& target, const SurfaceMap& map) {
-  if (map.size() != source.surface_vertex.size())
-    throw InvalidInput(fmt::format("the map has {} points for {} vertices", map.size(),
-                                   source.surface_vertex.size()));
+  check_length(map.size(), source);
   const std::vector<int> surface_face = surface_faces(target);
   SurfaceMap result(source.num_vertices());
   for (std::size_t v = 0; v < result.size(); ++v) {
@@ -76,6 +80,15 @@ SurfacePoints on_surfaces(const Surface& source, const Surface& target, const Su
     if (face != kNoFace) result[v] = turned(point, face, target.turned[face]);
   }
   return SurfacePoints(std::move(result));
+}
+
+OnSurface<VertexMap> on_surfaces(const Surface& source, const Surface& target,
+                                 const VertexMap& map) {
+  check_length(map.size(), source);
+  VertexMap result;
+  for (int v : source.input_vertex)
+    result.push_back(map[v] == kUnmatched ? kUnmatched : surface_vertex(target, map[v]));
+  return OnSurface(std::move(result));
 }
 
 SurfaceVertices on_surface(const Surface& surface, std::span<const int> vertices,

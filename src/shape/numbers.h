@@ -49,6 +49,11 @@ SurfaceMatches on_surfaces(const Surface& source, const Surface& target,
 /// the target's surface is none. Throws `InvalidInput` too if there is not a point for each vertex.
 SurfacePoints on_surfaces(const Surface& source, const Surface& target, const SurfaceMap& map);
 
+/// Of the images of copies at a seam the lowest one's counts. Throws `InvalidInput` too if there is
+/// not an image, or `kUnmatched`, for each vertex.
+OnSurface<VertexMap> on_surfaces(const Surface& source, const Surface& target,
+                                 const VertexMap& map);
+
 /// Vertices that have to be part of the surface; `name` begins the message if one is not.
 SurfaceVertices on_surface(const Surface& surface, std::span<const int> vertices,
                            std::string_view name);

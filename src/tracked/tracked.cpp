@@ -55,6 +55,18 @@ SurfaceMatches checked_landmarks(const Surface& source, const Surface& target,
   return result;
 }
 
+/// Of the caller's `landmarks` those that are among `contradicted`.
+Correspondence those_between(const Surface& source, const Surface& target,
+                             const Correspondence& landmarks, const SurfaceMatches& contradicted) {
+  Correspondence found;
+  for (const Match& landmark : landmarks) {
+    const Match between{surface_vertex(source, landmark.source),
+                        surface_vertex(target, landmark.target)};
+    if (std::ranges::count(*contradicted, between) > 0) found.push_back(landmark);
+  }
+  return found;
+}
+
 /// Where of the whole stages begin, as measured on shapes of 5,000 to 42,000 vertices.
 constexpr double kHypothesesBegin = 0.28, kRefinementBegin = 0.6, kDenseMapBegin = 0.97;
 
@@ -140,6 +152,10 @@ void TrackedOptions::validate() const {
   if (alternatives < 0) throw InvalidInput("alternatives must not be negative");
 }
 
+void check_landmarks(const Shape& source, const Shape& target, const Correspondence& landmarks) {
+  checked_landmarks(*source.prepared().surface(), *target.prepared().surface(), landmarks);
+}
+
 TrackedResult match_tracked(const Shape& source, const Shape& target,
                             const TrackedOptions& tracked_options, const Context& context) {
   tracked_options.validate();
@@ -168,9 +184,9 @@ TrackedResult match_tracked(const Shape& source, const Shape& target,
       timed("refinement", kRefinementBegin, kDenseMapBegin, [&](const Context& part) {
         Finals followed = run_finals(goal, candidates.possible, options, part);
         result.contradicted_landmarks =
-            to_input(from, onto,
-                     contradicted_landmarks(goal, candidates.contradicting, followed.middle_cost,
-                                            options, context));
+            those_between(from, onto, tracked_options.landmarks,
+                          contradicted_landmarks(goal, candidates.contradicting,
+                                                 followed.middle_cost, options, context));
         return followed;
       });
   result.ambiguity = finals.ambiguity;

@@ -16,9 +16,10 @@ results::ResultPlan make_plan(const MatchArguments& arguments, std::vector<std::
                                arguments.truth.target, more})};
 }
 
-results::MatchInputs load_inputs(const MatchArguments& arguments, const Context& context) {
-  results::MatchInputs inputs =
-      results::load_inputs(arguments.source, arguments.target, arguments.truth, warn_of, context);
+results::MatchInputs load_inputs(const MatchArguments& arguments, const GeodesicOptions& geodesics,
+                                 const Context& context) {
+  results::MatchInputs inputs = results::load_inputs(arguments.source, arguments.target, geodesics,
+                                                     arguments.truth, warn_of, context);
   inputs.words = arguments.words;
   return inputs;
 }

@@ -43,7 +43,8 @@ results::ResultPlan make_plan(const MatchArguments& arguments, std::vector<std::
                               const std::string& more = "");
 
 /// `results::load_inputs`, which tells of warnings.
-results::MatchInputs load_inputs(const MatchArguments& arguments, const Context& context);
+results::MatchInputs load_inputs(const MatchArguments& arguments, const GeodesicOptions& geodesics,
+                                 const Context& context);
 
 /// What a page shows of `run`, whose results were written with `report`, if one follows.
 template <class Run>

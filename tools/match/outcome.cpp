@@ -14,7 +14,8 @@ namespace {
 
 void warn_of_defects(const results::MatchInputs& inputs) {
   for (const results::MatchInput* input : {&inputs.source, &inputs.target})
-    for (const std::string& warning : input->diagnosis.warnings()) warn_of(input->path, warning);
+    for (const std::string& warning : input->shape.diagnosis().warnings())
+      warn_of(input->path, warning);
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ void print_outcome(const results::MatchInputs& inputs, const Summary& summary, c
   for (const std::string& remark : all) fmt::print("! {}\n", remark);
   for (const auto& [name, input] :
        {std::pair{"source", &inputs.source}, {"target", &inputs.target}}) {
-    for (const std::string& warning : input->diagnosis.warnings())
+    for (const std::string& warning : input->shape.diagnosis().warnings())
       fmt::print("! {}: {}\n", name, warning);
   }
   fmt::print("written to {}\n", folder);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -19,11 +20,6 @@ struct PaperArguments {
   PaperOptions options;
   std::string geodesics = "w20";
 };
-
-GeodesicOptions geodesic_options(const std::string& name) {
-  if (name == "edges") return GeodesicOptions::edges();
-  return name == "w10" ? GeodesicOptions::w10() : GeodesicOptions::w20();
-}
 
 results::Json paper_options_json(const MatchArguments& arguments, const PaperArguments& paper) {
   results::Json json = results::options_json("paper", arguments.seed);
@@ -48,21 +44,14 @@ std::optional<results::ShownMatch> run_paper(const MatchArguments& arguments,
   const results::ResultPlan plan =
       make_plan(arguments, results::paper_files(paper.options.max_levels));
   results::check_plan(plan);
-  results::MatchInputs inputs = load_inputs(arguments, context);
-  const auto prepared = [&](const results::MatchInput& input) {
-    context.report(results::kLoaded / 2, "geodesic graph");
-    const StageTimer timer(inputs.times, "geodesic graph");
-    return prepare_shape(input.surface, geodesic_options(paper.geodesics), context);
-  };
-  const Shape source = prepared(inputs.source), target = prepared(inputs.target);
+  results::MatchInputs inputs =
+      load_inputs(arguments, results::geodesic_options(paper.geodesics), context);
+  const Shape &source = inputs.source.shape, &target = inputs.target.shape;
   PaperResult result = match_paper(source, target, paper.options, results::matching_part(context));
   Fit fit = results::fit_of(inputs, result, context);
-  const results::PaperRun run{
-      std::move(inputs),
-      paper_options_json(arguments, paper),
-      std::move(result),
-      {source.unit * source.max_geodesic, target.unit * target.max_geodesic},
-      std::move(fit)};
+  const std::array max_geodesics{source.max_geodesic(context), target.max_geodesic(context)};
+  const results::PaperRun run{std::move(inputs), paper_options_json(arguments, paper),
+                              std::move(result), max_geodesics, std::move(fit)};
   context.report(results::kJudged, "writing");
   results::Json report = results::write_paper(plan, run);
   print_outcome(run.inputs, summary_of(run.result), run.fit, arguments.folder, arguments.quiet);

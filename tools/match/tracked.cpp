@@ -13,7 +13,6 @@
 #include "isomatch/io/map_io.h"
 #include "match/method.h"
 #include "match/outcome.h"
-#include "results/folder/input_numbers.h"
 #include "results/folder/report.h"
 #include "results/folder/tracked_output.h"
 #include "results/option_names.h"
@@ -24,21 +23,18 @@ namespace {
 struct TrackedArguments {
   TrackedOptions options;
   std::string landmarks;
-  /// What that file holds.
-  std::vector<Match> pairs;
   bool one_based = false;
   bool target_to_source = false;
 };
 
 void load_landmarks(const results::MatchInputs& inputs, TrackedArguments& tracked) {
-  const std::string& file = tracked.landmarks;
-  tracked.pairs =
-      read_landmarks(file, {inputs.source.mesh.num_vertices(), inputs.target.mesh.num_vertices()},
-                     tracked.one_based ? Numbering::kFromOne : Numbering::kFromZero);
+  tracked.options.landmarks = read_landmarks(
+      tracked.landmarks, {inputs.source.mesh().num_vertices(), inputs.target.mesh().num_vertices()},
+      tracked.one_based ? Numbering::kFromOne : Numbering::kFromZero);
   try {
-    tracked.options.landmarks = results::surface_landmarks(inputs, tracked.pairs);
+    check_landmarks(inputs.source.shape, inputs.target.shape, tracked.options.landmarks);
   } catch (const InvalidInput& error) {
-    throw BadFile(file, error.what());
+    throw BadFile(tracked.landmarks, error.what());
   }
 }
 
@@ -57,8 +53,8 @@ Summary summary_of(const results::TrackedRun& run) {
   const TrackedResult& result = run.result;
   Summary summary;
   summary.lines.push_back(fmt::format("{} of {} source vertices matched",
-                                      results::matched_vertices(run, result.maps.front()),
-                                      run.inputs.source.mesh.num_vertices()));
+                                      results::matched_vertices(result.maps.front()),
+                                      run.inputs.source.mesh().num_vertices()));
   const std::size_t wanted = run.options["alternatives"];
   if (wanted > 0)
     summary.lines.push_back(
@@ -74,15 +70,13 @@ std::optional<results::ShownMatch> run_tracked(const MatchArguments& arguments,
       arguments, results::tracked_files(tracked.options.alternatives, tracked.target_to_source),
       tracked.landmarks);
   results::check_plan(plan);
-  results::MatchInputs inputs = load_inputs(arguments, context);
+  results::MatchInputs inputs = load_inputs(arguments, {}, context);
   if (!tracked.landmarks.empty()) load_landmarks(inputs, tracked);
-  TrackedResult result = match_tracked(inputs.source.surface, inputs.target.surface,
-                                       tracked.options, results::matching_part(context));
+  TrackedResult result = match_tracked(inputs.source.shape, inputs.target.shape, tracked.options,
+                                       results::matching_part(context));
   std::vector<Fit> fits = results::fits_of(inputs, result, context);
-  std::vector<Match> contradicted = results::contradicted_pairs(inputs, result, tracked.pairs);
-  const results::TrackedRun run{std::move(inputs),       tracked_options_json(arguments, tracked),
-                                std::move(result),       std::move(fits),
-                                std::move(contradicted), tracked.target_to_source};
+  const results::TrackedRun run{std::move(inputs), tracked_options_json(arguments, tracked),
+                                std::move(result), std::move(fits), tracked.target_to_source};
   context.report(results::kJudged, "writing");
   results::Json report = results::write_tracked(plan, run);
   print_outcome(run.inputs, summary_of(run), run.fits.front(), arguments.folder, arguments.quiet);

@@ -61,5 +61,8 @@ struct FitOptions {
 /// `InvalidInput` if the map does not fit the surfaces. O(N log N).
 Fit judge_fit(const Shape& source, const Shape& target, const SurfaceMap& source_to_target,
               const FitOptions& options = {}, const Context& context = {});
+/// Likewise of a map to vertices.
+Fit judge_fit(const Shape& source, const Shape& target, const VertexMap& source_to_target,
+              const FitOptions& options = {}, const Context& context = {});
 
 }  // namespace isomatch

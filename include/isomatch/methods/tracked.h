@@ -79,14 +79,18 @@ struct TrackedResult {
   std::vector<StageTime> times;
 };
 
+/// Throws the `InvalidInput` that `match_tracked` would throw because of landmarks: if one is out
+/// of range or not part of the surface, a source vertex has two, or copies at a seam have different
+/// ones.
+void check_landmarks(const Shape& source, const Shape& target, const Correspondence& landmarks);
+
 /// The tracked method: hypotheses from partial matchings of extremities, grown landmark by landmark
 /// under isometric distortion and orientation, with twins by the target's near-symmetries; ranked
 /// by a coarse elastic registration; the best refined by alternating spectral maps (Melzi et al.
 /// 2019) and as-rigid-as-possible registration (Sorkine and Alexa 2007); of these, the one that
 /// fits best refined further and carried over to all vertices. Deterministic for any number of
-/// threads. Throws `InvalidInput` if an option or a
-/// landmark is out of range, a landmark is not part of the surface, or no hypothesis is found,
-/// `Cancelled` if `context` says so. O(N log N).
+/// threads. Throws `InvalidInput` if an option is out of range, as `check_landmarks`, or if no
+/// hypothesis is found, `Cancelled` if `context` says so. O(N log N).
 TrackedResult match_tracked(const Shape& source, const Shape& target,
                             const TrackedOptions& options = {}, const Context& context = {});
 
