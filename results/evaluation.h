@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/measure/metrics.h"
 #include "results/json.h"
 

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/stage_times.h"
 #include "load.h"
@@ -76,10 +76,11 @@ VertexMap input_vertex_map(const Surface& source, const Surface& target,
 
 void write_map(const std::string& stem, const Shape& source, const Shape& target,
                const NamedMap& map) {
-  write_source_to_target(stem + ".txt",
-                         input_vertex_map(source.surface, target.surface, map.matches));
+  isomatch::write_map(stem + ".txt", {.source_to_target = input_vertex_map(
+                                          source.surface, target.surface, map.matches)});
   if (map.points)
-    write_surface_map(stem + ".bary.txt", input_map(source.surface, target.surface, *map.points));
+    isomatch::write_map(stem + ".bary.txt",
+                        {.points = input_map(source.surface, target.surface, *map.points)});
 }
 
 /// A pair in memory, and the time it took to make shapes of meshes.

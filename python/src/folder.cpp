@@ -13,7 +13,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/measure/metrics.h"
 #include "results/folder/written_files.h"
 #include "results/page/levels.h"
@@ -57,8 +57,11 @@ std::vector<StageTime> times_of(const Json& report) {
 /// The inverse as far as a relation of vertices tells it.
 SurfaceMap inverse_of(const MatchResult& folder, const MatchInput& source,
                       const MatchInput& target) {
-  const Correspondence relation = read_correspondence(
-      folder.path("correspondence.txt"), {source.mesh.num_vertices(), target.mesh.num_vertices()});
+  const Correspondence relation = read_matches(folder.path("correspondence.txt"),
+                                               {.source_vertices = source.mesh.num_vertices(),
+                                                .target_vertices = target.mesh.num_vertices()},
+                                               Numbering::kFromZero)
+                                      .matches;
   VertexMap target_to_source(target.surface.num_vertices(), kUnmatched);
   for (const Match& match : surface_matches(source.surface, target.surface, relation))
     target_to_source[match.target] = match.source;
@@ -71,9 +74,9 @@ std::string inverse_file(const MatchResult& folder, const cli::ResultMap& map) {
 
 SurfaceMap read_inverse(const std::string& file, const MatchInput& source,
                         const MatchInput& target) {
-  const SurfaceMap points =
-      read_surface_map(file, {target.mesh.num_vertices(), source.mesh.num_faces()});
-  return surface_map(target.surface, source.surface, points);
+  const MapChecks checks{.source_vertices = target.mesh.num_vertices(),
+                         .target_faces = source.mesh.num_faces()};
+  return surface_map(target.surface, source.surface, read_map(file, checks).points);
 }
 
 std::vector<Point> registered_of(const MatchResult& folder, const cli::ResultMap& map,

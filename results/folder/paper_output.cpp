@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "results/folder/input_numbers.h"
 #include "results/folder/report.h"
 
@@ -86,7 +86,7 @@ void write_paper(const ResultPlan& plan, const PaperRun& run) {
     write_levels(folder, run.result, numbers);
     write_correspondence(folder.add("correspondence.txt"), final_matches.matches,
                          final_matches.distortion);
-    write_source_to_target(folder.add("source_to_target.txt"), numbers.source_to_target());
+    write_map(folder.add("source_to_target.txt"), {.source_to_target = numbers.source_to_target()});
     folder.write_json("levels.json", levels_json(run.result));
   }
   folder.write_report(report_json(run, times));

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/mesh/topology.h"
 #include "results/folder/input_numbers.h"
 #include "results/folder/report.h"
@@ -22,8 +22,9 @@ int count_points(const SurfaceMap& map) {
 /// Writes a map in both forms, as `stem`.txt and `stem`.bary.txt.
 void write_points(ResultFolder& folder, const std::string& stem, const MatchInput& onto,
                   const SurfaceMap& map) {
-  write_source_to_target(folder.add(stem + ".txt"), nearest_vertices(onto.mesh, map));
-  write_surface_map(folder.add(stem + ".bary.txt"), map);
+  isomatch::write_map(folder.add(stem + ".txt"),
+                      {.source_to_target = nearest_vertices(onto.mesh, map)});
+  isomatch::write_map(folder.add(stem + ".bary.txt"), {.points = map});
 }
 
 /// `place` is the map's folder with a slash, or empty.

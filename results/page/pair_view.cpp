@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "results/page/pair_view.h"
 
+#include "geometry/rotation.h"
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/mesh/surface.h"
 #include "results/picture/view.h"
 
@@ -26,7 +27,7 @@ Eigen::Matrix3d source_to_target_rotation(const MatchResult& result, const Resul
     to.push_back(all_images[v]);
   }
   if (from.empty()) return Eigen::Matrix3d::Identity();
-  return picture::best_rotation(from, to);
+  return best_rotation(from, to);
 }
 
 /// Puts each of `points` where the one that stands for it is.
@@ -63,9 +64,11 @@ std::vector<picture::Color> source_colors(const MatchResult& result, const Resul
 
 std::vector<bool> matched_targets(const MatchResult& result) {
   std::vector<bool> matched(result.target.vertices.size());
-  const VertexCounts counts{result.source.num_vertices(), result.target.num_vertices()};
-  for (const Match& match : read_correspondence(result.path("correspondence.txt"), counts))
-    matched[match.target] = true;
+  const MatchContent relation = read_matches(result.path("correspondence.txt"),
+                                             {.source_vertices = result.source.num_vertices(),
+                                              .target_vertices = result.target.num_vertices()},
+                                             Numbering::kFromZero);
+  for (const Match& match : relation.matches) matched[match.target] = true;
   return matched;
 }
 

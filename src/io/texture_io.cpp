@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 
+#include "io/line_file.h"
 #include "io/mesh/formats.h"
 #include "io/text_cursor.h"
 #include "isomatch/error.h"
@@ -20,25 +20,6 @@ void check_ending(const std::string& path, std::string_view ending) {
   if (!equal_ignoring_case(std::filesystem::path(path).extension().string(), ending))
     throw BadFile(path, fmt::format("must be a file named {} here", ending));
 }
-
-/// One text, with `append` writing a line a time.
-class LineFile {
- public:
-  explicit LineFile(const std::string& path) : file_(path) {}
-
-  template <class... Arguments>
-  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    line_.clear();
-    fmt::format_to(std::back_inserter(line_), format, std::forward<Arguments>(arguments)...);
-    line_.push_back('\n');
-    file_.write({line_.data(), line_.size()});
-  }
-  void commit() { file_.commit(); }
-
- private:
-  AtomicFile file_;
-  fmt::memory_buffer line_;
-};
 
 /// A name from another format, as one that ends with its line.
 std::string on_one_line(std::string name) {

@@ -3,9 +3,8 @@
 #include "isomatch/maps/surface_map.h"
 
 #include <algorithm>
-#include <array>
 
-#include "geometry/point_tree.h"
+#include "geometry/kd_tree.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
 
@@ -17,12 +16,6 @@ std::vector<int> surface_faces(const Surface& surface) {
   std::vector<int> faces(std::ranges::max(surface.input_face) + 1, kNoFace);
   for (int f = 0; f < surface.mesh.num_faces(); ++f) faces[surface.input_face[f]] = f;
   return faces;
-}
-
-int nearest(const PointTree& tree, const Point& point) {
-  std::array<std::size_t, 1> index{};
-  tree.nearest(point, index);
-  return static_cast<int>(index[0]);
 }
 
 }  // namespace
@@ -94,11 +87,11 @@ Mesh input_pose(const Mesh& input, const Surface& surface, const std::vector<Poi
   if (input.vertices.size() != surface.surface_vertex.size() ||
       positions.size() != surface.mesh.vertices.size())
     throw InvalidInput("input_pose needs the mesh of the surface and a position for every vertex");
-  const PointTree tree(surface.mesh.vertices);
+  const KdTree<3> tree(surface.mesh.vertices);
   Mesh result = input;
   for (int v = 0; v < input.num_vertices(); ++v) {
     const int own = surface.surface_vertex[v];
-    const int leader = own != kNoVertex ? own : nearest(tree, input.vertices[v]);
+    const int leader = own != kNoVertex ? own : tree.nearest(input.vertices[v]);
     result.vertices[v] =
         own != kNoVertex
             ? positions[own]

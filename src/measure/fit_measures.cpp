@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "geometry/face_orientation.h"
+#include "geometry/hat_gradients.h"
 #include "isomatch/error.h"
 #include "isomatch/geodesics/geodesics.h"
 #include "isomatch/mesh/mesh.h"
@@ -49,12 +50,6 @@ struct Side {
   std::vector<Point> normals;
 };
 
-/// Twice the area of a face as a vector along its normal.
-Point area_vector(const Mesh& mesh, int face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
-}
-
 Side make_side(const Surface& surface, const Context& context) {
   Mesh mesh = surface.mesh;
   const double scale = 1 / std::sqrt(surface.area);
@@ -65,7 +60,8 @@ Side make_side(const Surface& surface, const Context& context) {
   auto signs = face_orientation(mesh);
   std::vector<Point> normals(mesh.vertices.size(), Point(0, 0, 0));
   for (int f = 0; f < mesh.num_faces(); ++f)
-    for (int v : mesh.faces[f]) normals[v] += (signs ? (*signs)[f] : 1) * area_vector(mesh, f);
+    for (int v : mesh.faces[f])
+      normals[v] += (signs ? (*signs)[f] : 1) * area_vector(mesh, mesh.faces[f]);
   for (Point& normal : normals) normal.normalize();
   return {std::move(mesh), std::move(graph), std::move(areas), std::move(signs),
           std::move(normals)};

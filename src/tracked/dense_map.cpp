@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "elastic/nearest_point.h"
-#include "geometry/descent.h"
-#include "geometry/foot.h"
+#include "geometry/closest_point.h"
+#include "geometry/walk.h"
 #include "parallel.h"
 #include "tracked/transfer.h"
 
@@ -40,9 +40,8 @@ std::vector<int> closest_details(const Side& from, const Side& onto,
 }
 
 /// The same point with the faces as they are in the surface.
-SurfacePoint in_surface(const elastic::Foot& foot, const UnitSurface& surface) {
-  SurfacePoint point{foot.face, foot.weights};
-  if (surface.turned[foot.face]) std::swap(point.weights[1], point.weights[2]);
+SurfacePoint in_surface(SurfacePoint point, const UnitSurface& surface) {
+  if (surface.turned[point.face]) std::swap(point.weights[1], point.weights[2]);
   return point;
 }
 
@@ -55,10 +54,8 @@ SurfaceMap project(const Side& from, const Side& onto, const elastic::Projection
   SurfaceMap map(from.deformed.positions.size());
   parallel_for(std::ssize(map), context, [&](std::ptrdiff_t v) {
     const Point& p = from.deformed.positions[v];
-    const int vertex = elastic::descend(starts[from.model.anchors[v]], p, mesh, surface.faces);
-    const elastic::Foot foot =
-        elastic::foot_around(vertex, p, mesh, surface.faces, onto.deformed.normals);
-    map[v] = in_surface(foot, surface);
+    const int vertex = walk_to_vertex(mesh, surface.faces, starts[from.model.anchors[v]], p);
+    map[v] = in_surface(closest_point_around(mesh, surface.faces, vertex, p), surface);
   });
   return map;
 }
@@ -93,10 +90,9 @@ TrackedMap dense_map(const Track& track, const Model& target, const TrackerOptio
   map.source_to_target = project(from, onto, options.fine_projection, context);
   map.target_to_source = project(onto, from, options.fine_projection, context);
   for (const Match& match : options.landmarks)
-    map.source_to_target[match.source] =
-        in_surface(elastic::foot_around(match.target, goal.mesh.vertices[match.target], goal.mesh,
-                                        goal.faces, goal.normals),
-                   goal);
+    map.source_to_target[match.source] = in_surface(
+        closest_point_around(goal.mesh, goal.faces, match.target, goal.mesh.vertices[match.target]),
+        goal);
   map.registered = std::move(deformed.positions);
   for (Point& p : map.registered) p = p * goal.scale + goal.centre;
   map.energy = track.registration.energy;

@@ -30,8 +30,8 @@ class Transfer : public MatchProgram {
       source_to_target.push_back(corner(copy_, v + kExtraVertices));
       vertices.push_back(v + kExtraVertices);
     }
-    write_surface_map(path("out/source_to_target.bary.txt"), source_to_target);
-    write_source_to_target(path("out/source_to_target.txt"), vertices);
+    write_map(path("out/source_to_target.bary.txt"), {.points = source_to_target});
+    write_map(path("out/source_to_target.txt"), {.source_to_target = vertices});
     const nlohmann::json report{{"source", side("source.off", source_)},
                                 {"target", side("copy.ply", copy_)},
                                 {"options", {{"method", "tracked"}}}};
@@ -128,7 +128,9 @@ TEST_F(Transfer, LandmarksInBothForms) {
   expect_carried({"--landmarks", folder_.write("landmarks.vts", "6\n701\n6\n")}, "carried.vts");
   EXPECT_EQ(bytes("carried.vts"), "10\n705\n10\n");
   expect_carried({"--landmarks", landmarks}, "carried.bary.txt");
-  const SurfaceMap points = read_surface_map(path("carried.bary.txt"), {3, copy_.num_faces()});
+  const SurfaceMap points =
+      read_map(path("carried.bary.txt"), {.source_vertices = 3, .target_faces = copy_.num_faces()})
+          .points;
   EXPECT_EQ(position(copy_, points[1]), copy_.vertices[704]);
 }
 

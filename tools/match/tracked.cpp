@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "load.h"
 #include "match/method.h"
 #include "progress_bar.h"
