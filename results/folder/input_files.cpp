@@ -11,8 +11,8 @@
 
 #include "isomatch/error.h"
 #include "isomatch/io/atomic_file.h"
+#include "isomatch/io/material_libraries.h"
 #include "isomatch/io/mesh_io.h"
-#include "isomatch/io/texture_io.h"
 #include "results/folder/image_line.h"
 
 namespace isomatch::cli {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "io/input_file.h"
-#include "io/line_file.h"
+#include "io/line_writer.h"
 #include "io/map_arrays.h"
 #include "io/map_text.h"
 #include "io/whole_number.h"
@@ -120,13 +120,14 @@ void write_correspondence(const std::string& path, const Correspondence& corresp
                           std::span<const double> d_iso) {
   if (!d_iso.empty() && d_iso.size() != correspondence.size())
     throw InvalidInput("write_correspondence needs a distortion for every match or none");
-  LineFile file(path);
+  AtomicFile file(path);
+  LineWriter lines(file);
   for (std::size_t i = 0; i < correspondence.size(); ++i) {
     const auto [source, target] = correspondence[i];
     if (d_iso.empty())
-      file.add("{} {}", source, target);
+      lines.add("{} {}", source, target);
     else
-      file.add("{} {} {}", source, target, d_iso[i]);
+      lines.add("{} {} {}", source, target, d_iso[i]);
   }
   file.commit();
 }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "io/input_file.h"
-#include "io/line_file.h"
+#include "io/line_writer.h"
 #include "io/map_arrays.h"
 #include "io/vertex_number.h"
 #include "io/whole_number.h"
@@ -145,15 +145,17 @@ SurfaceMap read_points(const std::string& path, const MapChecks& checks, Numberi
 }
 
 void write_vertex_map(const std::string& path, const VertexMap& map, int first) {
-  LineFile file(path);
-  for (const int vertex : map) file.add("{}", vertex + first);
+  AtomicFile file(path);
+  LineWriter lines(file);
+  for (const int vertex : map) lines.add("{}", vertex + first);
   file.commit();
 }
 
 void write_points(const std::string& path, const SurfaceMap& map, int first) {
-  LineFile file(path);
+  AtomicFile file(path);
+  LineWriter lines(file);
   for (const auto& [face, weights] : map)
-    file.add("{} {} {} {}", face + first, weights[0], weights[1], weights[2]);
+    lines.add("{} {} {} {}", face + first, weights[0], weights[1], weights[2]);
   file.commit();
 }
 

@@ -14,7 +14,7 @@
 #include <memory>
 
 #include "io/input_file.h"
-#include "io/line_file.h"
+#include "io/line_writer.h"
 #include "io/number_table.h"
 #include "io/text_cursor.h"
 #include "io/whole_number.h"
@@ -94,8 +94,9 @@ Eigen::MatrixXd read_values(const std::string& path, int num_vertices) {
 void write_values(const std::string& path, const Eigen::MatrixXd& values) {
   const bool is_csv = equal_ignoring_case(std::filesystem::path(path).extension().string(), ".csv");
   const char* const separator = is_csv ? "," : " ";
-  LineFile file(path);
-  for (const auto& row : values.rowwise()) file.add("{}", fmt::join(row, separator));
+  AtomicFile file(path);
+  LineWriter lines(file);
+  for (const auto& row : values.rowwise()) lines.add("{}", fmt::join(row, separator));
   file.commit();
 }
 
@@ -113,8 +114,9 @@ std::vector<int> read_labels(const std::string& path, int num_vertices) {
 }
 
 void write_labels(const std::string& path, const std::vector<int>& labels) {
-  LineFile file(path);
-  for (const int label : labels) file.add("{}", label);
+  AtomicFile file(path);
+  LineWriter lines(file);
+  for (const int label : labels) lines.add("{}", label);
   file.commit();
 }
 
@@ -127,13 +129,14 @@ SkinWeights read_skin_weights(const std::string& path, int num_vertices) {
 }
 
 void write_skin_weights(const std::string& path, const SkinWeights& weights) {
-  LineFile file(path);
+  AtomicFile file(path);
+  LineWriter lines(file);
   std::vector<std::string> words;
   for (const auto& influences : weights) {
     words.clear();
     for (const auto& [bone, weight] : influences)
       words.push_back(fmt::format("{}:{}", bone, weight));
-    file.add("{}", words.empty() ? "-" : fmt::format("{}", fmt::join(words, " ")));
+    lines.add("{}", words.empty() ? "-" : fmt::format("{}", fmt::join(words, " ")));
   }
   file.commit();
 }

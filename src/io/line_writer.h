@@ -5,17 +5,17 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <string>
 #include <utility>
 
 #include "isomatch/io/atomic_file.h"
 
 namespace isomatch {
 
-/// A text file that is written line by line, and appears as `AtomicFile` does.
-class LineFile {
+/// Writes a text file line by line.
+class LineWriter {
  public:
-  explicit LineFile(const std::string& path) : file_(path) {}
+  /// Keeps a reference to `file`, which is the caller's to commit.
+  explicit LineWriter(AtomicFile& file) : file_(file) {}
 
   /// Appends a line; its end is added.
   template <class... Arguments>
@@ -26,10 +26,8 @@ class LineFile {
     file_.write({line_.data(), line_.size()});
   }
 
-  void commit() { file_.commit(); }
-
  private:
-  AtomicFile file_;
+  AtomicFile& file_;
   fmt::memory_buffer line_;
 };
 
