@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "isomatch/carry/transfer.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/io/values_io.h"
 
@@ -19,7 +19,9 @@ void carry_labels(const char* source_file, const char* target_file, const char* 
   const isomatch::Mesh source = isomatch::read_mesh(source_file);
   const isomatch::Mesh target = isomatch::read_mesh(target_file);
   const isomatch::SurfaceMap target_to_source =
-      isomatch::read_surface_map(map_file, {target.num_vertices(), source.num_faces()});
+      isomatch::read_map(
+          map_file, {.source_vertices = target.num_vertices(), .target_faces = source.num_faces()})
+          .points;
   const std::vector<int> labels = isomatch::read_labels(labels_file, source.num_vertices());
   isomatch::write_labels(output_file, isomatch::transfer_labels(source, target_to_source, labels));
 }

@@ -6,7 +6,7 @@
 #include <exception>
 #include <iostream>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/methods/tracked.h"
 
@@ -26,8 +26,8 @@ void match(const char* source_file, const char* target_file, const char* map_fil
   // From the numbers of the surfaces back to those of the files.
   const isomatch::SurfaceMap source_to_target =
       isomatch::input_map(source, target, best.source_to_target);
-  isomatch::write_source_to_target(map_file,
-                                   isomatch::nearest_vertices(target_mesh, source_to_target));
+  isomatch::write_map(
+      map_file, {isomatch::nearest_vertices(target_mesh, source_to_target), source_to_target});
   isomatch::write_mesh(registered_file, isomatch::input_pose(source_mesh, source, best.registered));
 }
 

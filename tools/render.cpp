@@ -6,7 +6,7 @@
 
 #include "command.h"
 #include "isomatch/error.h"
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/model_io.h"
 #include "load.h"
 #include "place_options.h"
 #include "program/say.h"

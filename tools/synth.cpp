@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "command.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "program/say.h"
 #include "results/files/outputs.h"
@@ -36,8 +36,8 @@ void run_synth(const SynthArguments& arguments, const Context& context) {
     results::check_companion_output(file, path, {});
   const SynthShape shape = synthesize(arguments.options, context);
   write_mesh(path, shape.mesh);
-  write_vts(truth, shape.ground_truth);
-  write_vts(symmetric_truth, shape.symmetric_ground_truth);
+  write_map(truth, {.source_to_target = shape.ground_truth});
+  write_map(symmetric_truth, {.source_to_target = shape.symmetric_ground_truth});
   if (!arguments.quiet)
     say("mesh of {} vertices written to {}, its ground truth to {} and {}",
         shape.mesh.num_vertices(), path, truth, symmetric_truth);

@@ -7,7 +7,7 @@
 
 #include "bench/child.h"
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/stage_times.h"
 #include "results/loaded_mesh.h"
@@ -69,8 +69,8 @@ Json levels_json(const std::vector<LevelSummary>& levels) {
 void write_map(const std::string& stem, const Shape& source, const NamedMap& map) {
   VertexMap vertices(source.num_vertices(), kUnmatched);
   for (const auto& [s, t] : map.matches) vertices[s] = t;
-  write_source_to_target(stem + ".txt", vertices);
-  if (map.points) write_surface_map(stem + ".bary.txt", *map.points);
+  isomatch::write_map(stem + ".txt", {.source_to_target = vertices});
+  if (map.points) isomatch::write_map(stem + ".bary.txt", {.points = *map.points});
 }
 
 /// A pair in memory, and the time it took to make shapes of meshes.

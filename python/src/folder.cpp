@@ -13,7 +13,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/mesh/topology.h"
 #include "results/files/written_files.h"
 #include "results/folder/levels.h"
@@ -56,9 +56,11 @@ std::vector<StageTime> times_of(const Json& report) {
 /// The inverse as far as a relation of vertices tells it.
 SurfaceMap inverse_of(const MatchResult& folder, const MatchInput& source,
                       const MatchInput& target) {
-  const Correspondence relation =
-      read_correspondence(folder.path("correspondence.txt"),
-                          {source.mesh().num_vertices(), target.mesh().num_vertices()});
+  const Correspondence relation = read_matches(folder.path("correspondence.txt"),
+                                               {.source_vertices = source.shape.num_vertices(),
+                                                .target_vertices = target.shape.num_vertices()},
+                                               Numbering::kFromZero)
+                                      .matches;
   VertexMap target_to_source(target.shape.num_vertices(), kUnmatched);
   for (const Match& match : relation) target_to_source[match.target] = match.source;
   return corner_points(source.mesh(), target_to_source);
@@ -70,7 +72,9 @@ std::string inverse_file(const MatchResult& folder, const results::ResultMap& ma
 
 SurfaceMap read_inverse(const std::string& file, const MatchInput& source,
                         const MatchInput& target) {
-  return read_surface_map(file, {target.mesh().num_vertices(), source.mesh().num_faces()});
+  return read_map(file, {.source_vertices = target.shape.num_vertices(),
+                         .target_faces = source.mesh().num_faces()})
+      .points;
 }
 
 std::vector<Point> registered_of(const MatchResult& folder, const results::ResultMap& map) {

@@ -93,7 +93,7 @@ void bind_metrics(py::module_& module) {
   register_options<OrientationOptions>(module, "orientation");
   module.def("evaluate", evaluate);
   module.def("read_vts", [](const std::string& path) {
-    return adopt(read_vts(path, std::numeric_limits<int>::max() - 1));
+    return adopt(read_vertex_list(path, std::numeric_limits<int>::max() - 1, Numbering::kFromOne));
   });
   module.def("read_ground_truth", [](const std::string& path, int num_vertices) {
     return adopt(read_ground_truth(path, num_vertices));

@@ -10,7 +10,10 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "isomatch/io/texture_io.h"
+#include "isomatch/error.h"
+#include "isomatch/io/material_libraries.h"
+#include "isomatch/io/model_io.h"
+#include "results/folder/input_files.h"
 
 namespace py = pybind11;
 
@@ -26,6 +29,12 @@ VertexColors to_colors(const py::array& rows) {
   return {points.begin(), points.end()};
 }
 
+/// Other formats have no room for what is to be written.
+void check_ending(const std::string& path, const std::string& ending) {
+  if (cli::lower_ending(path) != ending)
+    throw BadFile(path, "must be a file named " + ending + " here");
+}
+
 py::dict read_textured_file(const std::string& path) {
   TexturedMesh textured;
   {
@@ -37,12 +46,23 @@ py::dict read_textured_file(const std::string& path) {
 
 void write_textured_file(const std::string& path, const py::tuple& parts,
                          const std::string& library) {
-  const TexturedMesh textured = to_textured(parts);
+  TexturedMesh textured = to_textured(parts);
   const py::gil_scoped_release release;
-  if (library.empty())
-    write_textured_mesh(path, textured);
-  else
-    write_textured_mesh(path, textured, {library});
+  check_ending(path, ".obj");
+  ModelWriteOptions options;
+  if (!library.empty()) options.material_libraries = {library};
+  write_model(path, {.mesh = std::move(textured.mesh), .texture = std::move(textured.texture)},
+              options);
+}
+
+void write_colored_file(const std::string& path, const py::array& vertices, const py::array& faces,
+                        const py::array& colors) {
+  Model model{.mesh = to_mesh(vertices, faces), .colors = to_colors(colors)};
+  check_ending(path, ".ply");
+  // Without any, a model would be written as it is.
+  if (model.colors.size() != model.mesh.vertices.size())
+    throw InvalidInput("write_colored_mesh needs a colour for every vertex");
+  write_model(path, model);
 }
 
 }  // namespace
@@ -86,10 +106,7 @@ void bind_textures(py::module_& module) {
   });
   module.def("read_vertex_colors",
              [](const std::string& path) { return to_array(read_vertex_colors(path)); });
-  module.def("write_colored_mesh", [](const std::string& path, const py::array& vertices,
-                                      const py::array& faces, const py::array& colors) {
-    write_colored_mesh(path, to_mesh(vertices, faces), to_colors(colors));
-  });
+  module.def("write_colored_mesh", write_colored_file);
 }
 
 }  // namespace isomatch::python

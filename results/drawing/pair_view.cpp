@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "results/drawing/pair_view.h"
 
+#include "geometry/rotation.h"
 #include "isomatch/error.h"
 #include "results/picture/view.h"
 
@@ -24,7 +25,7 @@ Eigen::Matrix3d source_to_target_rotation(const MatchResult& result, const Resul
     to.push_back(all_images[v]);
   }
   if (from.empty()) return Eigen::Matrix3d::Identity();
-  return picture::best_rotation(from, to);
+  return best_rotation(from, to);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "isomatch/error.h"
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/material_libraries.h"
 
 namespace isomatch::results {
 namespace {

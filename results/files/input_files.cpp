@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "isomatch/error.h"
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/material_libraries.h"
 #include "results/files/image_line.h"
 #include "results/files/outputs.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "isomatch/error.h"
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/material_libraries.h"
 #include "results/files/image_line.h"
 
 namespace isomatch::results {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "results/folder/base_matches.h"
 #include "results/folder/report.h"
 
@@ -100,7 +100,8 @@ Json write_paper(const ResultPlan& plan, const PaperRun& run) {
     const std::vector<ResultLevel> levels = result_levels(run);
     write_levels(folder, levels);
     write_matches(folder, "correspondence.txt", levels.back().many_to_many);
-    write_source_to_target(folder.add("source_to_target.txt"), result_map(run).source_to_target);
+    write_map(folder.add("source_to_target.txt"),
+              {.source_to_target = run.result.source_to_target});
     folder.write_json("levels.json", levels_json(run.result));
   }
   return folder.write_report(report_json(run, times));

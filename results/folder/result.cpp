@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "results/files/written_files.h"
 
@@ -62,12 +62,12 @@ ResultMap load_map(const MatchResult& result, const std::string& folder) {
   };
   const int source_vertices = result.source.num_vertices();
   ResultMap map{folder, {}, {}, {}};
-  map.source_to_target = read_source_to_target(file("source_to_target.txt"),
-                                               {source_vertices, result.target.num_vertices()});
+  const MapChecks checks{source_vertices, result.target.num_vertices(), result.target.num_faces()};
+  map.source_to_target =
+      read_map(file("source_to_target.txt"), checks, Numbering::kFromZero).source_to_target;
   const std::string bary = file("source_to_target.bary.txt");
-  map.points = fs::exists(bary)
-                   ? read_surface_map(bary, {source_vertices, result.target.num_faces()})
-                   : corner_points(result.target, map.source_to_target);
+  map.points = fs::exists(bary) ? read_map(bary, checks).points
+                                : corner_points(result.target, map.source_to_target);
   const std::string registered = file("registered.ply");
   if (!fs::exists(registered)) return map;
   map.registered = read_mesh(registered).vertices;
@@ -107,8 +107,11 @@ MatchResult load_result(const std::string& folder, const MeshPlaces& places) {
 }
 
 Correspondence load_relation(const MatchResult& result) {
-  return read_correspondence(result.path("correspondence.txt"),
-                             {result.source.num_vertices(), result.target.num_vertices()});
+  return read_matches(result.path("correspondence.txt"),
+                      {.source_vertices = result.source.num_vertices(),
+                       .target_vertices = result.target.num_vertices()},
+                      Numbering::kFromZero)
+      .matches;
 }
 
 const ResultMap& chosen_map(const MatchResult& result, std::size_t alternative) {

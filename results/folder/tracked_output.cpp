@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/mesh/topology.h"
 #include "results/folder/report.h"
 
@@ -21,8 +21,8 @@ int count_points(const SurfaceMap& map) {
 /// Writes a map in both forms, as `stem`.txt and `stem`.bary.txt.
 void write_points(ResultFolder& folder, const std::string& stem, const VertexMap& vertices,
                   const SurfaceMap& points) {
-  write_source_to_target(folder.add(stem + ".txt"), vertices);
-  write_surface_map(folder.add(stem + ".bary.txt"), points);
+  isomatch::write_map(folder.add(stem + ".txt"), {.source_to_target = vertices});
+  isomatch::write_map(folder.add(stem + ".bary.txt"), {.points = points});
 }
 
 std::string alternative_folder(std::size_t number) {

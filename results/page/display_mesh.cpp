@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/point_tree.h"
+#include "geometry/kd_tree.h"
+#include "geometry/simplify.h"
 
 namespace isomatch::results {
 namespace {
-
-using Index = unsigned int;
 
 constexpr int kHidden = -1;
 
@@ -24,26 +23,11 @@ std::vector<float> float_positions(const Mesh& mesh) {
   return positions;
 }
 
-std::vector<Face> simplified_faces(const Mesh& mesh, const std::vector<float>& positions,
-                                   int max_vertices) {
-  std::vector<Index> corners;
-  corners.reserve(mesh.faces.size() * 3);
-  for (const Face& face : mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
-  // A closed surface has twice as many faces as vertices.
-  const std::size_t wanted = static_cast<std::size_t>(max_vertices) * 6;
-  std::vector<Index> kept(corners.size());
-  kept.resize(meshopt_simplify(kept.data(), corners.data(), corners.size(), positions.data(),
-                               mesh.vertices.size(), 3 * sizeof(float), wanted, 1.0F, 0, nullptr));
-  std::vector<Face> faces(kept.size() / 3);
-  for (std::size_t i = 0; i < kept.size(); ++i) faces[i / 3][i % 3] = static_cast<int>(kept[i]);
-  return faces;
-}
-
 /// All vertices, or those of `faces`, along a space-filling curve.
 std::vector<int> shown_vertices(const std::vector<float>& positions, const std::vector<Face>& faces,
                                 bool all) {
   const std::size_t count = positions.size() / 3;
-  std::vector<Index> place(count);
+  std::vector<unsigned int> place(count);
   meshopt_spatialSortRemap(place.data(), positions.data(), count, 3 * sizeof(float));
   std::vector<int> order(count);
   for (std::size_t v = 0; v < count; ++v) order[place[v]] = static_cast<int>(v);
@@ -62,12 +46,10 @@ void sort_faces(std::vector<Face>& faces) {
 
 /// Gives vertices that are not shown to the nearest one that is.
 void represent_hidden(const Mesh& mesh, DisplayMesh& display) {
-  const PointTree tree(display.mesh.vertices);
+  const KdTree<3> tree(display.mesh.vertices);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (display.shown_vertex[v] != kHidden) continue;
-    std::array<std::size_t, 1> nearest{};
-    tree.nearest(mesh.vertices[v], nearest);
-    display.shown_vertex[v] = static_cast<int>(nearest[0]);
+    if (display.shown_vertex[v] == kHidden)
+      display.shown_vertex[v] = tree.nearest(mesh.vertices[v]);
   }
 }
 
@@ -77,8 +59,7 @@ DisplayMesh display_mesh(const Mesh& mesh, int max_vertices) {
   DisplayMesh display;
   display.simplified = mesh.num_vertices() > max_vertices;
   const std::vector<float> positions = float_positions(mesh);
-  const std::vector<Face> faces =
-      display.simplified ? simplified_faces(mesh, positions, max_vertices) : mesh.faces;
+  const std::vector<Face> faces = simplified_faces(mesh, max_vertices);
   display.input_vertex = shown_vertices(positions, faces, !display.simplified);
   display.shown_vertex.assign(mesh.vertices.size(), kHidden);
   for (std::size_t shown = 0; shown < display.input_vertex.size(); ++shown) {

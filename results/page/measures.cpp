@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/point_tree.h"
+#include "geometry/kd_tree.h"
 #include "isomatch/error.h"
 #include "isomatch/measure/metrics.h"
 #include "results/loaded_mesh.h"
@@ -59,9 +59,9 @@ void spread(const Shape& source, std::vector<double>& errors) {
     known.push_back(errors[v]);
   }
   if (known.empty()) return;
-  const PointTree tree(places);
+  const KdTree<3> tree(places);
   for (std::size_t v = 0; v < errors.size(); ++v) {
-    std::array<std::size_t, 1> nearest{};
+    std::array<int, 1> nearest{};
     if (std::isnan(errors[v]) && source.on_surface(static_cast<int>(v)) &&
         tree.nearest(mesh.vertices[v], nearest) > 0)
       errors[v] = known[nearest[0]];

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/point_tree.h"
+#include "geometry/kd_tree.h"
 #include "results/drawing/drawable.h"
 #include "results/page/array_packer.h"
 #include "results/page/display_mesh.h"
@@ -119,9 +119,9 @@ Values partners_of_targets(const Packing& packing, const std::vector<Point>& ima
   const DisplayMesh& target = packing.target();
   Values result(target.input_vertex.size(), 0);
   if (places.empty()) return result;
-  const PointTree tree(places);
+  const KdTree<3> tree(places);
   for (std::size_t t = 0; t < result.size(); ++t) {
-    std::array<std::size_t, 1> nearest{};
+    std::array<int, 1> nearest{};
     if (target_matched[target.input_vertex[t]] &&
         tree.nearest(target.mesh.vertices[t], nearest) > 0)
       result[t] = sources[nearest[0]];

@@ -3,14 +3,11 @@
 #include "results/picture/view.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
-
-#include "isomatch/error.h"
 
 namespace isomatch::picture {
 namespace {
@@ -117,21 +114,6 @@ Eigen::Matrix3d choose_view(const Mesh& mesh, const Point& up, double turn) {
   const Point level = turned(start, up, best_angle + turn);
   const double elevation = kElevation * std::numbers::pi / 180;
   return frame(up, std::cos(elevation) * level + std::sin(elevation) * up);
-}
-
-Eigen::Matrix3d best_rotation(std::span<const Point> from, std::span<const Point> to) {
-  if (from.size() != to.size()) throw InvalidInput("a rotation needs as many points on both sides");
-  Point from_mean = Point::Zero(), to_mean = Point::Zero();
-  for (const Point& p : from) from_mean += p / static_cast<double>(from.size());
-  for (const Point& p : to) to_mean += p / static_cast<double>(to.size());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < from.size(); ++i)
-    covariance += (to[i] - to_mean) * (from[i] - from_mean).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (svd.singularValues()[1] <= 1e-9 * svd.singularValues()[0]) return Eigen::Matrix3d::Identity();
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * Point(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
 }  // namespace isomatch::picture

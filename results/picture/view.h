@@ -25,9 +25,4 @@ Point guess_up(const Mesh& mesh);
 /// O(N).
 Eigen::Matrix3d choose_view(const Mesh& mesh, const Point& up, double turn = 25);
 
-/// The rotation that brings the points `from` closest to `to` (least squares, translation and scale
-/// left free); the identity if they do not determine it. Throws `InvalidInput` if their numbers
-/// differ.
-Eigen::Matrix3d best_rotation(std::span<const Point> from, std::span<const Point> to);
-
 }  // namespace isomatch::picture

@@ -8,8 +8,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include "geometry/closest_point.h"
-
 namespace isomatch::transfer {
 namespace {
 
@@ -27,8 +25,7 @@ double longest_edge(const Mesh& mesh, int face) {
 Charts::Charts(const Mesh& mesh, const Texture& texture)
     : texture_(texture),
       welded_(weld(mesh)),
-      walk_(welded_.mesh),
-      vertex_faces_(vertex_faces(welded_.mesh)),
+      vertex_faces_(isomatch::vertex_faces(welded_.mesh)),
       neighbours_(face_neighbours(welded_.mesh)) {
   auto cut = neighbours_;
   for (int f = 0; f < mesh.num_faces(); ++f)
@@ -87,13 +84,13 @@ Eigen::Vector2d Charts::coordinates(const SurfacePoint& point) const {
   return sum;
 }
 
-NearestPoint nearest_point(const Mesh& mesh, std::span<const int> faces, const Point& p) {
-  NearestPoint best{{}, std::numeric_limits<double>::infinity()};
+ClosestPoint nearest_point(const Mesh& mesh, std::span<const int> faces, const Point& p) {
+  ClosestPoint best{{}, std::numeric_limits<double>::infinity()};
   for (int face : faces) {
-    const FacePoint candidate = closest_point(mesh, face, p);
-    const double distance = std::sqrt(candidate.squared_distance);
-    if (distance < best.distance - kRounding * longest_edge(mesh, face))
-      best = {candidate.point, distance};
+    const ClosestPoint candidate = closest_point(mesh, face, p);
+    if (std::sqrt(candidate.squared_distance) <
+        std::sqrt(best.squared_distance) - kRounding * longest_edge(mesh, face))
+      best = candidate;
   }
   return best;
 }

@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "carry/welded.h"
-#include "geometry/face_walk.h"
+#include "geometry/closest_point.h"
+#include "geometry/weld.h"
 #include "isomatch/maps/surface_map.h"
 #include "isomatch/mesh/texture.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch::transfer {
 
@@ -26,7 +27,7 @@ class Charts {
   Charts(const Mesh& mesh, const Texture& texture);
 
   const Mesh& mesh() const { return welded_.mesh; }
-  const FaceWalk& walk() const { return walk_; }
+  const IndexLists& vertex_faces() const { return vertex_faces_; }
 
   /// The faces in `ball` that can be reached from `starts` in it without crossing a seam, nearest
   /// (in steps) first. `starts` belong to it wherever they are.
@@ -44,7 +45,6 @@ class Charts {
 
   const Texture& texture_;
   WeldedMesh welded_;
-  FaceWalk walk_;
   IndexLists vertex_faces_;
   /// Across the edge opposite each corner; `kNoFace` across a seam.
   std::vector<std::array<int, 3>> neighbours_;
@@ -52,10 +52,6 @@ class Charts {
 
 /// The closest of the points of `faces` to `p`; of those that are equally close up to rounding,
 /// that on the first face.
-struct NearestPoint {
-  SurfacePoint point;
-  double distance;
-};
-NearestPoint nearest_point(const Mesh& mesh, std::span<const int> faces, const Point& p);
+ClosestPoint nearest_point(const Mesh& mesh, std::span<const int> faces, const Point& p);
 
 }  // namespace isomatch::transfer

@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <nanoflann.hpp>
+#include <optional>
 
 #include "carry/checks.h"
-#include "carry/welded.h"
 #include "geometry/closest_point.h"
+#include "geometry/kd_tree.h"
+#include "geometry/weld.h"
 #include "isomatch/carry/map_inversion.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/diagnosis.h"
@@ -22,7 +22,7 @@ namespace {
 
 /// Normals of vertices, those of split ones equal; zero where they cancel out.
 std::vector<Point> vertex_normals(const Mesh& mesh) {
-  const transfer::WeldedMesh welded = transfer::weld(mesh);
+  const WeldedMesh welded = weld(mesh);
   const std::vector<Point> sums = weighted_vertex_normals(welded.mesh);
   std::vector<Point> normals;
   normals.reserve(mesh.vertices.size());
@@ -33,8 +33,7 @@ std::vector<Point> vertex_normals(const Mesh& mesh) {
 /// The images of source vertices on the target, in a space of position and weighted normal.
 class Images {
  public:
-  static constexpr int kDimensions = 6;
-  using Coordinates = Eigen::Matrix<double, kDimensions, 1>;
+  using Coordinates = KdTree<6>::Coordinates;
 
   Images(const Mesh& source, const Mesh& target, const SurfaceMap& source_to_target,
          double normal_weight)
@@ -55,7 +54,7 @@ class Images {
     }
     faces_.vertices.resize(points_.size());
     around_ = vertex_faces(faces_);
-    tree_ = std::make_unique<Tree>(kDimensions, *this);
+    tree_.emplace(points_);
   }
 
   bool empty() const { return faces_.faces.empty(); }
@@ -67,14 +66,12 @@ class Images {
   /// The source point whose image is closest to `query` in position and normal, on the faces around
   /// the nearest images; none if it is farther than `max_distance` in position.
   SurfacePoint nearest(const Coordinates& query, double max_distance) const {
-    std::array<unsigned int, kCandidates> indices{};
-    std::array<double, kCandidates> distances{};
-    const std::size_t found =
-        tree_->knnSearch(query.data(), kCandidates, indices.data(), distances.data());
+    std::array<int, kCandidates> indices{};
+    const std::size_t found = tree_->nearest(query, indices);
     SurfacePoint best;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < found; ++i) {
-      for (int f : around_[static_cast<int>(indices[i])]) {
+      for (int f : around_[indices[i]]) {
         const auto [point, distance] = nearest_on(f, query);
         if (distance > least || (distance == least && point.face >= best.face)) continue;
         least = distance;
@@ -85,18 +82,8 @@ class Images {
     return {source_face_[best.face], best.weights};
   }
 
-  // What nanoflann asks for.
-  std::size_t kdtree_get_point_count() const { return points_.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t k) const { return points_[i][k]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-
  private:
   static constexpr std::size_t kCandidates = 6;
-  using Distance = nanoflann::L2_Simple_Adaptor<double, Images>;
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Distance, Images, kDimensions>;
 
   Coordinates joined(const Point& position, const Point& normal) const {
     Coordinates result;
@@ -117,7 +104,7 @@ class Images {
   }
 
   /// Closest in position on the face, and its squared distance in all.
-  FacePoint nearest_on(int face, const Coordinates& query) const {
+  ClosestPoint nearest_on(int face, const Coordinates& query) const {
     const auto& [a, b, c] = faces_.faces[face];
     SurfacePoint point{face, closest_weights(query.head<3>(), points_[a].head<3>(),
                                              points_[b].head<3>(), points_[c].head<3>())};
@@ -152,7 +139,7 @@ class Images {
   Mesh faces_;
   std::vector<int> source_face_;
   IndexLists around_;
-  std::unique_ptr<Tree> tree_;
+  std::optional<KdTree<6>> tree_;
 };
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "carry/checks.h"
-#include "carry/welded.h"
-#include "geometry/face_walk.h"
+#include "geometry/walk.h"
+#include "geometry/weld.h"
 #include "isomatch/carry/transfer.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
@@ -25,8 +25,8 @@ SurfaceMap transfer_points(const Mesh& source, const Mesh& target,
                            const SurfaceMap& source_to_target,
                            std::span<const SurfacePoint> points) {
   transfer::check_map(source.num_vertices(), target, source_to_target);
-  const transfer::WeldedMesh welded = transfer::weld(target);
-  const transfer::FaceWalk walk(welded.mesh);
+  const WeldedMesh welded = weld(target);
+  const IndexLists around = vertex_faces(welded.mesh);
   const auto carried = [&](const SurfacePoint& point) -> SurfacePoint {
     if (point.face == kNoFace) return {};
     if (point.face < 0 || point.face >= source.num_faces())
@@ -42,7 +42,7 @@ SurfaceMap transfer_points(const Mesh& source, const Mesh& target,
       mean += point.weights[k] * position(target, image);
       starts.push_back(image.face);
     }
-    return walk.closest(mean, starts);
+    return walk_to_point(welded.mesh, around, starts, mean);
   };
   SurfaceMap result;
   result.reserve(points.size());

@@ -2,25 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "carry/pose_rotations.h"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "geometry/rotation.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch::transfer {
 namespace {
-
-/// The rotation R that maximises the trace of `covariance` R.
-Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& covariance) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  // A flat neighbourhood determines a rotation, a single line does not.
-  if (!(svd.singularValues()[1] > 1e-9 * svd.singularValues()[0]))
-    return Eigen::Matrix3d::Identity();
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * Point(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
-}
 
 struct EdgeSums {
   std::vector<Eigen::Matrix3d> covariances;

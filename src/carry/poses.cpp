@@ -13,10 +13,10 @@
 #include "carry/checks.h"
 #include "carry/gradients.h"
 #include "carry/pose_rotations.h"
-#include "carry/welded.h"
 #include "geometry/cotangent_laplacian.h"
-#include "geometry/face_walk.h"
-#include "geometry/point_tree.h"
+#include "geometry/kd_tree.h"
+#include "geometry/walk.h"
+#include "geometry/weld.h"
 #include "isomatch/carry/pose_transfer.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
@@ -27,7 +27,7 @@ namespace {
 using Solver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
 
 /// The map of welded vertices: of those at one place the first that is matched counts.
-SurfaceMap welded_map(const transfer::WeldedMesh& target, const SurfaceMap& target_to_source) {
+SurfaceMap welded_map(const WeldedMesh& target, const SurfaceMap& target_to_source) {
   SurfaceMap result(target.mesh.vertices.size());
   for (std::size_t v = 0; v < target_to_source.size(); ++v) {
     SurfacePoint& point = result[target.vertex[v]];
@@ -39,8 +39,8 @@ SurfaceMap welded_map(const transfer::WeldedMesh& target, const SurfaceMap& targ
 /// For each target face the source face that it deforms like, `kNoFace` if a corner is unmatched.
 std::vector<int> source_faces(const Mesh& source, const transfer::FaceGradients& gradients,
                               const Mesh& target, const SurfaceMap& map) {
-  const transfer::WeldedMesh welded = transfer::weld(source);
-  const transfer::FaceWalk walk(welded.mesh);
+  const WeldedMesh welded = weld(source);
+  const IndexLists around = vertex_faces(welded.mesh);
   std::vector<int> result(target.faces.size(), kNoFace);
   for (std::size_t f = 0; f < result.size(); ++f) {
     const auto& [a, b, c] = target.faces[f];
@@ -48,7 +48,7 @@ std::vector<int> source_faces(const Mesh& source, const transfer::FaceGradients&
     if (std::ranges::count(starts, kNoFace) > 0) continue;
     const Point centre =
         (position(source, map[a]) + position(source, map[b]) + position(source, map[c])) / 3;
-    const int face = walk.closest(centre, starts).face;
+    const int face = walk_to_point(welded.mesh, around, starts, centre).face;
     if (gradients.has(face)) result[f] = face;
   }
   return result;
@@ -89,7 +89,7 @@ struct Component {
 
 struct PoseTransfer::Parts {
   Mesh source;
-  transfer::WeldedMesh target;
+  WeldedMesh target;
   SurfaceMap map;
   transfer::FaceGradients gradients;
   transfer::RestPose rest;
@@ -103,7 +103,7 @@ struct PoseTransfer::Parts {
   Parts(const Mesh& source_mesh, const Mesh& target_mesh, const SurfaceMap& target_to_source,
         const PoseTransferOptions& options)
       : source(source_mesh),
-        target(transfer::weld(target_mesh)),
+        target(weld(target_mesh)),
         map(welded_map(target, target_to_source)),
         gradients(source),
         rest(transfer::fit_rest_pose(source, target.mesh, map)),
@@ -163,19 +163,18 @@ struct PoseTransfer::Parts {
         faces.push_back(f);
       }
     }
-    const PointTree tree(places);
+    const KdTree<3> tree(places);
     for (Component& component : components) {
       if (!component.shares.empty()) continue;
       double least = std::numeric_limits<double>::infinity();
       for (int v : component.vertices) {
-        std::array<std::size_t, 1> nearest{};
-        tree.nearest(target.mesh.vertices[v], nearest);
-        const double distance = (places[nearest[0]] - target.mesh.vertices[v]).norm();
+        const int nearest = tree.nearest(target.mesh.vertices[v]);
+        const double distance = (places[nearest] - target.mesh.vertices[v]).norm();
         if (distance >= least) continue;
         least = distance;
         component.own = v;
-        component.leader = vertices[nearest[0]];
-        component.leading_face = faces[nearest[0]];
+        component.leader = vertices[nearest];
+        component.leading_face = faces[nearest];
       }
     }
   }

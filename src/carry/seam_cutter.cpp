@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -44,7 +45,7 @@ std::optional<Cut> find_cut(const Charts& charts, const SurfacePoint& a, const S
   const Ball ball{(from + to) / 2, kBulge * (to - from).norm() / 2};
   const std::vector<int> near_a = charts.grow(charts.faces_at(a), ball);
   const auto distance = [&](const std::vector<int>& faces, const Point& p) {
-    return nearest_point(charts.mesh(), faces, p).distance;
+    return std::sqrt(nearest_point(charts.mesh(), faces, p).squared_distance);
   };
   if (distance(near_a, to) <= kLeastShare * (to - from).norm()) return std::nullopt;
   const std::vector<int> near_b = charts.grow(charts.faces_at(b), ball);

@@ -13,6 +13,7 @@
 #include "carry/charts.h"
 #include "carry/checks.h"
 #include "carry/seam_cutter.h"
+#include "geometry/walk.h"
 #include "isomatch/carry/texture_transfer.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
@@ -62,7 +63,7 @@ class TextureCarrier {
       starts[k] = target_.map[face[k]].face;
     }
     const Point centre = (places[0] + places[1] + places[2]) / 3;
-    const int middle = charts_.walk().closest(centre, starts).face;
+    const int middle = walk_to_point(charts_.mesh(), charts_.vertex_faces(), starts, centre).face;
     if (!texture_.covers(middle)) return;
     result_.face_material.back() = texture_.face_material[middle];
     const std::vector<int> side = charts_.grow(std::array{middle}, ball_around(centre, places));

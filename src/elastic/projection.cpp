@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "elastic/projection.h"
 
+#include "geometry/closest_point.h"
+
 namespace isomatch::elastic {
 
 Projection::Projection(const Mesh& mesh, const IndexLists& vertex_faces,
@@ -14,8 +16,14 @@ Projection::Projection(const Mesh& mesh, const IndexLists& vertex_faces,
 
 Foot Projection::operator()(const Point& position, const Point& normal,
                             const Features& features) const {
-  return foot_around(nearest_vertex_(position, normal, features), position, mesh_, vertex_faces_,
-                     normals_);
+  Foot foot;
+  foot.point = closest_point_around(mesh_, vertex_faces_,
+                                    nearest_vertex_(position, normal, features), position);
+  foot.position = isomatch::position(mesh_, foot.point);
+  const Face& face = mesh_.faces[foot.point.face];
+  for (int k = 0; k < 3; ++k) foot.normal += foot.point.weights[k] * normals_[face[k]];
+  foot.normal.normalize();
+  return foot;
 }
 
 }  // namespace isomatch::elastic

@@ -5,9 +5,17 @@
 #include <vector>
 
 #include "elastic/nearest_point.h"
-#include "geometry/foot.h"
+#include "isomatch/maps/surface_map.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch::elastic {
+
+/// A point of a mesh, where it lies, and the normal there.
+struct Foot {
+  SurfacePoint point;
+  Point position{0, 0, 0};
+  Point normal{0, 0, 0};
+};
 
 /// Finds the points of a mesh that are closest in position and normal.
 class Projection {

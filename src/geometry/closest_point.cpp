@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "geometry/closest_point.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isomatch {
@@ -30,14 +31,32 @@ std::array<double, 3> closest_weights(const Point& p, const Point& a, const Poin
   return {va / sum, vb / sum, vc / sum};
 }
 
-FacePoint closest_point(const Mesh& mesh, int face, const Point& p) {
+ClosestPoint closest_point(const Mesh& mesh, int face, const Point& p) {
   const auto& [a, b, c] = mesh.faces[face];
   const auto& x = mesh.vertices;
-  FacePoint result{{face, closest_weights(p, x[a], x[b], x[c])}, 0};
+  ClosestPoint result{{face, closest_weights(p, x[a], x[b], x[c])}, 0};
   result.squared_distance = (position(mesh, result.point) - p).squaredNorm();
   // Where the face is degenerate, its first corner stands for all of it.
   if (std::isfinite(result.squared_distance)) return result;
   return {{face, {1, 0, 0}}, (x[a] - p).squaredNorm()};
+}
+
+SurfacePoint closest_point_around(const Mesh& mesh, const IndexLists& vertex_faces, int vertex,
+                                  const Point& p) {
+  const auto& x = mesh.vertices;
+  SurfacePoint best{vertex_faces[vertex].front(), {}};
+  const Face& first = mesh.faces[best.face];
+  best.weights[std::ranges::find(first, vertex) - first.begin()] = 1;
+  double least = (x[vertex] - p).squaredNorm();
+  for (int f : vertex_faces[vertex]) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const SurfacePoint candidate{f, closest_weights(p, x[a], x[b], x[c])};
+    const double distance = (position(mesh, candidate) - p).squaredNorm();
+    if (!(distance < least)) continue;  // Nor if a degenerate face makes it no number.
+    least = distance;
+    best = candidate;
+  }
+  return best;
 }
 
 }  // namespace isomatch

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "isomatch/maps/surface_map.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch {
 
@@ -13,12 +14,17 @@ namespace isomatch {
 std::array<double, 3> closest_weights(const Point& p, const Point& a, const Point& b,
                                       const Point& c);
 
-struct FacePoint {
+struct ClosestPoint {
   SurfacePoint point;
   double squared_distance;
 };
 
 /// The point of a face, degenerate or not, that is closest to `p`.
-FacePoint closest_point(const Mesh& mesh, int face, const Point& p);
+ClosestPoint closest_point(const Mesh& mesh, int face, const Point& p);
+
+/// The point of the faces around `vertex` that is closest to `p`; `vertex` itself, on the first of
+/// them, if none is closer. Degenerate faces do not count.
+SurfacePoint closest_point_around(const Mesh& mesh, const IndexLists& vertex_faces, int vertex,
+                                  const Point& p);
 
 }  // namespace isomatch

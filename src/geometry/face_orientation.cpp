@@ -8,10 +8,32 @@
 #include <numeric>
 #include <span>
 
-#include "geometry/disjoint_sets.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
+
+using Sides = std::span<const EdgeSide>;
+
+bool is_ascending(const Mesh& mesh, const EdgeSide& side) {
+  return mesh.faces[side.face][(side.corner + 1) % 3] == side.low;
+}
+
+bool is_inconsistent(const Mesh& mesh, Sides edge) {
+  return edge.size() == 2 && is_ascending(mesh, edge[0]) == is_ascending(mesh, edge[1]);
+}
+
+DisjointSets orientation_cover(const Mesh& mesh, Sides sides) {
+  DisjointSets cover(2 * mesh.num_faces());
+  for_each_edge(sides, [&](Sides edge) {
+    if (edge.size() != 2) return;
+    const int a = 2 * edge[0].face, b = 2 * edge[1].face;
+    const int turn = is_inconsistent(mesh, edge) ? 1 : 0;
+    cover.join(a, b + turn);
+    cover.join(a + 1, b + 1 - turn);
+  });
+  return cover;
+}
+
 namespace {
 
 using Signs = std::vector<signed char>;
@@ -23,32 +45,13 @@ constexpr double kMinAgreement = 0.8;
 /// a foot or the inside of a mouth, while a hemisphere has 2.5, a flat square 4.
 constexpr double kMaxBoundary = 0.5;
 
-using Sides = std::span<const EdgeSide>;
-
-bool is_ascending(const Mesh& mesh, const EdgeSide& side) {
-  return mesh.faces[side.face][(side.corner + 1) % 3] == side.low;
-}
-
-/// Each face stands twice, as it is (2 f) and turned over (2 f + 1), united with the neighbours
-/// that face the same way.
-DisjointSets united_ways(const Mesh& mesh, Sides sides) {
-  DisjointSets ways(2 * mesh.num_faces());
-  for_each_edge(sides, [&](Sides edge) {
-    if (edge.size() != 2) return;
-    const int turn = is_ascending(mesh, edge[0]) == is_ascending(mesh, edge[1]) ? 1 : 0;
-    ways.join(2 * edge[0].face, 2 * edge[1].face + turn);
-    ways.join(2 * edge[0].face + 1, 2 * edge[1].face + 1 - turn);
-  });
-  return ways;
-}
-
 /// Turns each patch as most of its area is in the file. Returns the area that is turned as in the
 /// file less that which is not, or nothing if some patch is one-sided.
-std::optional<double> orient_patches(const Mesh& mesh, DisjointSets ways, Signs& signs) {
+std::optional<double> orient_patches(const Mesh& mesh, DisjointSets cover, Signs& signs) {
   std::vector<double> patch_area(mesh.faces.size(), 0.0);
   std::vector<int> patch(mesh.faces.size());
   for (int f = 0; f < mesh.num_faces(); ++f) {
-    const int as_it_is = ways.find(2 * f), turned = ways.find(2 * f + 1);
+    const int as_it_is = cover.find(2 * f), turned = cover.find(2 * f + 1);
     if (as_it_is == turned) return std::nullopt;
     patch[f] = std::min(as_it_is, turned) / 2;
     signs[f] = as_it_is < turned ? 1 : -1;
@@ -88,7 +91,8 @@ double enclosed_volume(const Mesh& mesh, const Signs& signs) {
 std::optional<std::vector<signed char>> face_orientation(const Mesh& mesh) {
   const std::vector<EdgeSide> sides = sorted_edge_sides(mesh);
   Signs signs(mesh.faces.size());
-  const std::optional<double> agreement = orient_patches(mesh, united_ways(mesh, sides), signs);
+  const std::optional<double> agreement =
+      orient_patches(mesh, orientation_cover(mesh, sides), signs);
   // If the share s of the area is turned as in the file and 1 - s is not, they differ by 2 s - 1.
   const double area = surface_area(mesh);
   if (!agreement || *agreement < (2 * kMinAgreement - 1) * area) return std::nullopt;

@@ -3,11 +3,25 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "isomatch/mesh/mesh.h"
+#include "geometry/disjoint_sets.h"
+#include "isomatch/mesh/topology.h"
 
 namespace isomatch {
+
+/// Whether the face of `side` goes from the lower end of the edge to the higher.
+bool is_ascending(const Mesh& mesh, const EdgeSide& side);
+
+/// Whether `edge` has two faces and they go along it in the same way, so that they face opposite
+/// ways.
+bool is_inconsistent(const Mesh& mesh, std::span<const EdgeSide> edge);
+
+/// The orientation double cover: each face stands twice, as it is (2 f) and turned over (2 f + 1),
+/// united across edges of two faces with the neighbours that face the same way. A patch is
+/// one-sided if both are in one set. `sides` are the `sorted_edge_sides`.
+DisjointSets orientation_cover(const Mesh& mesh, std::span<const EdgeSide> sides);
 
 /// For each face 1 if its corners run counter-clockwise seen from outside, -1 if clockwise. Faces
 /// that meet at an edge of two are oriented alike, each such patch as most of its area is in the

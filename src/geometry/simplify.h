@@ -6,7 +6,12 @@
 
 #include "isomatch/mesh/mesh.h"
 
-namespace isomatch::tracked {
+namespace isomatch {
+
+/// The faces of a mesh of about `count` of the vertices of `mesh`, with their numbers, that departs
+/// from it as little as possible, by quadric errors (Garland and Heckbert 1997); those of `mesh` if
+/// it has no more. O(N log N).
+std::vector<Face> simplified_faces(const Mesh& mesh, int count);
 
 struct SimplifiedMesh {
   Mesh mesh;
@@ -14,8 +19,8 @@ struct SimplifiedMesh {
   std::vector<int> kept;
 };
 
-/// A mesh of about `count` of the vertices of `mesh` that departs from it as little as possible, by
-/// quadric errors; itself if it has no more. Every vertex must have a face. O(N log N).
+/// The mesh of `simplified_faces`; `mesh` itself if it has no more vertices, all of which must have
+/// a face.
 SimplifiedMesh simplify(const Mesh& mesh, int count);
 
-}  // namespace isomatch::tracked
+}  // namespace isomatch

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/io/material_libraries.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
 #include "io/text_cursor.h"
-#include "isomatch/io/texture_io.h"
 
 namespace isomatch {
 namespace {

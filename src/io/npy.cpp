@@ -7,9 +7,9 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cstring>
 #include <utility>
 
+#include "io/byte_order.h"
 #include "io/npz.h"
 
 namespace isomatch {
@@ -25,29 +25,26 @@ struct NpyHeader {
 };
 
 template <class T>
-double load(const char* bytes, std::endian order) {
-  std::array<char, sizeof(T)> part;
-  std::memcpy(part.data(), bytes, sizeof(T));
-  if (order != std::endian::native) std::reverse(part.begin(), part.end());
-  return static_cast<double>(std::bit_cast<T>(part));
+double number(const char* bytes, std::endian order) {
+  return static_cast<double>(load<T>(bytes, order));
 }
 
 struct NumberType {
   std::string_view name;
   std::size_t size;
-  double (*load)(const char*, std::endian);
+  double (*number)(const char*, std::endian);
 };
 
-constexpr std::array<NumberType, 10> kTypes = {{{"i1", 1, load<std::int8_t>},
-                                                {"u1", 1, load<std::uint8_t>},
-                                                {"i2", 2, load<std::int16_t>},
-                                                {"u2", 2, load<std::uint16_t>},
-                                                {"i4", 4, load<std::int32_t>},
-                                                {"u4", 4, load<std::uint32_t>},
-                                                {"i8", 8, load<std::int64_t>},
-                                                {"u8", 8, load<std::uint64_t>},
-                                                {"f4", 4, load<float>},
-                                                {"f8", 8, load<double>}}};
+constexpr std::array<NumberType, 10> kTypes = {{{"i1", 1, number<std::int8_t>},
+                                                {"u1", 1, number<std::uint8_t>},
+                                                {"i2", 2, number<std::int16_t>},
+                                                {"u2", 2, number<std::uint16_t>},
+                                                {"i4", 4, number<std::int32_t>},
+                                                {"u4", 4, number<std::uint32_t>},
+                                                {"i8", 8, number<std::int64_t>},
+                                                {"u8", 8, number<std::uint64_t>},
+                                                {"f4", 4, number<float>},
+                                                {"f8", 8, number<double>}}};
 
 class NpyParser {
  public:
@@ -63,7 +60,7 @@ class NpyParser {
     NpyArray array{header.shape, std::vector<double>(count), header.type[1] != 'f'};
     const std::endian order = header.type[0] == '>' ? std::endian::big : std::endian::little;
     for (std::size_t i = 0; i < count; ++i)
-      array.values[place(header, i, count)] = type->load(&content_[i * type->size], order);
+      array.values[place(header, i, count)] = type->number(&content_[i * type->size], order);
     return array;
   }
 
@@ -145,13 +142,6 @@ class NpyParser {
   std::string_view content_;
 };
 
-template <class T>
-void append(std::string& bytes, T value) {
-  auto part = std::bit_cast<std::array<char, sizeof(T)>>(value);
-  if constexpr (std::endian::native == std::endian::big) std::reverse(part.begin(), part.end());
-  bytes.append(part.data(), part.size());
-}
-
 }  // namespace
 
 std::optional<NpyArray> parse_npy(const InputFile& file, const std::string& name,
@@ -169,10 +159,11 @@ std::string npy_bytes(const NpyArray& array) {
   std::string bytes(kMagic);
   bytes += '\x01';
   bytes += '\0';
-  append(bytes, static_cast<std::uint16_t>(header.size()));
+  append_little_endian(static_cast<std::uint16_t>(header.size()), bytes);
   bytes += header;
   for (const double value : array.values)
-    array.has_integers ? append(bytes, static_cast<std::int64_t>(value)) : append(bytes, value);
+    array.has_integers ? append_little_endian(static_cast<std::int64_t>(value), bytes)
+                       : append_little_endian(value, bytes);
   return bytes;
 }
 

@@ -3,22 +3,22 @@
 #include "isomatch/io/values_io.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 #include <memory>
 
 #include "io/input_file.h"
+#include "io/line_writer.h"
 #include "io/number_table.h"
 #include "io/text_cursor.h"
 #include "io/whole_number.h"
 #include "isomatch/error.h"
-#include "isomatch/io/atomic_file.h"
 
 namespace isomatch {
 namespace {
@@ -36,19 +36,6 @@ void read_lines(const InputFile& file, TextCursor cursor, int num_vertices,
   }
   if (lines != num_vertices)
     file.fail(fmt::format("has {} lines, but the mesh has {} vertices", lines, num_vertices));
-}
-
-template <class AppendLine>
-void write_lines(const std::string& path, std::size_t count, const AppendLine& append_line) {
-  AtomicFile file(path);
-  fmt::memory_buffer line;
-  for (std::size_t i = 0; i < count; ++i) {
-    line.clear();
-    append_line(std::back_inserter(line), i);
-    line.push_back('\n');
-    file.write({line.data(), line.size()});
-  }
-  file.commit();
 }
 
 double read_value(TextCursor& cursor) {
@@ -107,10 +94,10 @@ Eigen::MatrixXd read_values(const std::string& path, int num_vertices) {
 void write_values(const std::string& path, const Eigen::MatrixXd& values) {
   const bool is_csv = equal_ignoring_case(std::filesystem::path(path).extension().string(), ".csv");
   const char* const separator = is_csv ? "," : " ";
-  write_lines(path, values.rows(), [&](auto out, std::size_t i) {
-    for (Eigen::Index k = 0; k < values.cols(); ++k)
-      fmt::format_to(out, "{}{}", k == 0 ? "" : separator, values(i, k));
-  });
+  AtomicFile file(path);
+  LineWriter lines(file);
+  for (const auto& row : values.rowwise()) lines.add("{}", fmt::join(row, separator));
+  file.commit();
 }
 
 std::vector<int> read_labels(const std::string& path, int num_vertices) {
@@ -127,8 +114,10 @@ std::vector<int> read_labels(const std::string& path, int num_vertices) {
 }
 
 void write_labels(const std::string& path, const std::vector<int>& labels) {
-  write_lines(path, labels.size(),
-              [&](auto out, std::size_t i) { fmt::format_to(out, "{}", labels[i]); });
+  AtomicFile file(path);
+  LineWriter lines(file);
+  for (const int label : labels) lines.add("{}", label);
+  file.commit();
 }
 
 SkinWeights read_skin_weights(const std::string& path, int num_vertices) {
@@ -140,11 +129,16 @@ SkinWeights read_skin_weights(const std::string& path, int num_vertices) {
 }
 
 void write_skin_weights(const std::string& path, const SkinWeights& weights) {
-  write_lines(path, weights.size(), [&](auto out, std::size_t i) {
-    if (weights[i].empty()) fmt::format_to(out, "-");
-    for (std::size_t k = 0; k < weights[i].size(); ++k)
-      fmt::format_to(out, "{}{}:{}", k == 0 ? "" : " ", weights[i][k].bone, weights[i][k].weight);
-  });
+  AtomicFile file(path);
+  LineWriter lines(file);
+  std::vector<std::string> words;
+  for (const auto& influences : weights) {
+    words.clear();
+    for (const auto& [bone, weight] : influences)
+      words.push_back(fmt::format("{}:{}", bone, weight));
+    lines.add("{}", words.empty() ? "-" : fmt::format("{}", fmt::join(words, " ")));
+  }
+  file.commit();
 }
 
 }  // namespace isomatch

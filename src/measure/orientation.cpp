@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "geometry/hat_gradients.h"
 #include "isomatch/error.h"
 #include "isomatch/measure/metrics.h"
 #include "measure/spread_matches.h"
@@ -48,24 +50,6 @@ class DirectionTable {
   std::vector<Point> directions_;
 };
 
-/// Twice the face's area as a vector along its normal.
-Point area_vector(const Mesh& mesh, const Face& face) {
-  const Point& p = mesh.vertices[face[0]];
-  return (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
-}
-
-/// Gradient of the linear function with the values of `field` at the face's corners, times the
-/// area.
-Point face_gradient(const Mesh& mesh, const Face& face, std::span<const float> field) {
-  const Point normal = area_vector(mesh, face).normalized();
-  Point sum(0, 0, 0);
-  for (int k = 0; k < 3; ++k) {
-    const Point edge = mesh.vertices[face[(k + 2) % 3]] - mesh.vertices[face[(k + 1) % 3]];
-    sum += 0.5 * field[face[k]] * normal.cross(edge);
-  }
-  return sum;
-}
-
 DirectionTable::DirectionTable(const MetricSurface& shape, const std::vector<int>& landmarks,
                                double min_distance, double max_distance, const Context& context)
     : shape_(shape),
@@ -90,7 +74,10 @@ DirectionTable::DirectionTable(const MetricSurface& shape, const std::vector<int
 Point DirectionTable::gradient(int vertex, std::span<const float> field) const {
   const Mesh& mesh = shape_.mesh();
   Point sum(0, 0, 0);
-  for (int f : shape_.surface().faces[vertex]) sum += face_gradient(mesh, mesh.faces[f], field);
+  for (int f : shape_.surface().faces[vertex]) {
+    const std::array<Point, 3> gradients = hat_gradients(mesh, mesh.faces[f]);
+    for (int k = 0; k < 3; ++k) sum += field[mesh.faces[f][k]] * gradients[k];
+  }
   return sum;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/face_orientation.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
@@ -16,20 +17,11 @@ namespace {
 
 using Sides = std::span<const EdgeSide>;
 
-/// True if the face of `side` goes from the lower end of the edge to the higher.
-bool is_ascending(const Mesh& mesh, const EdgeSide& side) {
-  return mesh.faces[side.face][(side.corner + 1) % 3] == side.low;
-}
-
 /// The corners, numbered 3 face + corner, at the lower and the higher end of the edge.
 std::array<int, 2> end_corners(const Mesh& mesh, const EdgeSide& side) {
   const int next = 3 * side.face + (side.corner + 1) % 3;
   const int last = 3 * side.face + (side.corner + 2) % 3;
   return is_ascending(mesh, side) ? std::array{next, last} : std::array{last, next};
-}
-
-bool is_inconsistent(const Mesh& mesh, Sides edge) {
-  return edge.size() == 2 && is_ascending(mesh, edge[0]) == is_ascending(mesh, edge[1]);
 }
 
 void count_edges(const Mesh& mesh, Sides sides, Connectivity& counts) {
@@ -97,19 +89,10 @@ int count_components(const Mesh& mesh) {
   return components;
 }
 
-/// Each face stands twice, as it is (2 f) and turned over (2 f + 1), united with the neighbours
-/// that face the same way. On a one-sided surface both are in one set.
 bool is_orientable(const Mesh& mesh, Sides sides) {
-  DisjointSets ways(2 * mesh.num_faces());
-  for_each_edge(sides, [&](Sides edge) {
-    if (edge.size() != 2) return;
-    const int a = 2 * edge[0].face, b = 2 * edge[1].face;
-    const int turn = is_inconsistent(mesh, edge) ? 1 : 0;
-    ways.join(a, b + turn);
-    ways.join(a + 1, b + 1 - turn);
-  });
+  DisjointSets cover = orientation_cover(mesh, sides);
   for (int f = 0; f < mesh.num_faces(); ++f) {
-    if (ways.find(2 * f) == ways.find(2 * f + 1)) return false;
+    if (cover.find(2 * f) == cover.find(2 * f + 1)) return false;
   }
   return true;
 }

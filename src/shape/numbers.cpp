@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "geometry/point_tree.h"
+#include "geometry/kd_tree.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
 
@@ -38,12 +37,6 @@ void sort_without_repetition(Correspondence& matches) {
   std::ranges::sort(matches);
   const auto repeated = std::ranges::unique(matches);
   matches.erase(repeated.begin(), repeated.end());
-}
-
-int nearest(const PointTree& tree, const Point& point) {
-  std::array<std::size_t, 1> index{};
-  tree.nearest(point, index);
-  return static_cast<int>(index[0]);
 }
 
 }  // namespace
@@ -136,7 +129,7 @@ std::vector<int> to_input(const Surface& surface, const SurfaceVertices& vertice
 
 std::vector<Point> at_input(const Mesh& input, const Surface& surface,
                             const std::vector<Point>& positions) {
-  const PointTree tree(surface.mesh.vertices);
+  const KdTree<3> tree(surface.mesh.vertices);
   std::vector<Point> result;
   for (int v = 0; v < input.num_vertices(); ++v) {
     const int own = surface.surface_vertex[v];
@@ -145,7 +138,7 @@ std::vector<Point> at_input(const Mesh& input, const Surface& surface,
       continue;
     }
     const Point& place = input.vertices[v];
-    const int leader = nearest(tree, (place - surface.centre) / surface.scale);
+    const int leader = tree.nearest((place - surface.centre) / surface.scale);
     result.emplace_back(place + positions[leader] - input.vertices[surface.input_vertex[leader]]);
   }
   return result;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "geometry/disjoint_sets.h"
-#include "geometry/point_tree.h"
+#include "geometry/kd_tree.h"
 #include "isomatch/mesh/diagnosis.h"
 #include "isomatch/mesh/topology.h"
 
@@ -156,13 +156,13 @@ int count_near_seam_vertices(const Mesh& mesh) {
   const Border border = border_of(mesh);
   if (border.points.empty()) return 0;
   const double bound = kNear * mean_edge(mesh);
-  const PointTree tree(border.points);
+  const KdTree<3> tree(border.points);
   int count = 0;
   for (std::size_t i = 0; i < border.points.size(); ++i) {
     // Itself, its neighbours along the border, and one more.
-    std::array<std::size_t, 4> nearest{};
+    std::array<int, 4> nearest{};
     const std::size_t found = tree.nearest(border.points[i], nearest);
-    count += std::ranges::any_of(std::span(nearest).first(found), [&](std::size_t other) {
+    count += std::ranges::any_of(std::span(nearest).first(found), [&](int other) {
       const double distance = (border.points[other] - border.points[i]).norm();
       return distance > 0 && distance < bound &&
              !border.are_joined(border.vertices[i], border.vertices[other]);

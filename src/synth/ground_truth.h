@@ -10,7 +10,8 @@
 
 namespace isomatch {
 
-class PointTree;
+template <int Dimension>
+class KdTree;
 
 }  // namespace isomatch
 
@@ -33,7 +34,7 @@ class SurfaceLookup {
   const Body* body_;
   const std::vector<Point>* rest_;
   const Context* context_;
-  std::unique_ptr<PointTree> tree_;
+  std::unique_ptr<KdTree<3>> tree_;
 };
 
 }  // namespace isomatch::synth

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/mesh/synth.h"
 #include "program.h"
@@ -29,8 +29,8 @@ class Bench : public testing::Test {
   void write(const std::string& name, int pose) const {
     const SynthShape shape = synthesize({.vertices = 1000, .pose = pose, .seed = 2});
     write_mesh(path(name + ".off"), shape.mesh);
-    write_vts(path(name + ".vts"), shape.ground_truth);
-    write_vts(path(name + ".sym.vts"), shape.symmetric_ground_truth);
+    write_map(path(name + ".vts"), {.source_to_target = shape.ground_truth});
+    write_map(path(name + ".sym.vts"), {.source_to_target = shape.symmetric_ground_truth});
   }
 
   std::string path(const std::string& name) const { return folder_.path(name); }
@@ -103,12 +103,10 @@ TEST_F(Bench, WritesReportAndMaps) {
   EXPECT_TRUE(nlohmann::json::parse(read_file(path("report.json"))).contains("methods"));
   const int source = read_mesh(path("source.off")).num_vertices();
   const Mesh target = read_mesh(path("target.off"));
-  const VertexCounts counts{source, target.num_vertices()};
-  EXPECT_EQ(std::ssize(read_source_to_target(path("maps/spectral.txt"), counts)), source);
-  EXPECT_EQ(std::ssize(read_source_to_target(path("maps/tracked.txt"), counts)), source);
-  EXPECT_EQ(
-      std::ssize(read_surface_map(path("maps/tracked.bary.txt"), {source, target.num_faces()})),
-      source);
+  const MapChecks counts{source, target.num_vertices(), target.num_faces()};
+  EXPECT_EQ(std::ssize(read_map(path("maps/spectral.txt"), counts).source_to_target), source);
+  EXPECT_EQ(std::ssize(read_map(path("maps/tracked.txt"), counts).source_to_target), source);
+  EXPECT_EQ(std::ssize(read_map(path("maps/tracked.bary.txt"), counts).points), source);
 }
 
 TEST_F(Bench, OneMethodsFailureIsNoOthers) {

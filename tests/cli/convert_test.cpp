@@ -26,8 +26,9 @@ class Convert : public MatchProgram {
     fs::create_directory(path("out"));
     SurfaceMap points = identity_map(source_);
     points[0] = {};
-    write_surface_map(path("out/source_to_target.bary.txt"), points);
-    write_source_to_target(path("out/source_to_target.txt"), nearest_vertices(source_, points));
+    write_map(path("out/source_to_target.bary.txt"), {.points = points});
+    write_map(path("out/source_to_target.txt"),
+              {.source_to_target = nearest_vertices(source_, points)});
     write_correspondence(path("out/correspondence.txt"),
                          to_correspondence(nearest_vertices(source_, points)));
     write_mesh(path("out/registered.ply"), scaled(source_, 2));

@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "isomatch/io/map_file.h"
-#include "isomatch/io/map_io.h"
 #include "isomatch/io/mesh_io.h"
 #include "program.h"
 #include "support/shapes.h"
@@ -28,12 +27,12 @@ class Eval : public testing::Test {
   void SetUp() override {
     write_mesh(path("source.off"), mesh_);
     write_mesh(path("target.off"), mirrored(mesh_));
-    write_source_to_target(path("map.txt"), numbers_);
-    write_vts(path("source.vts"), numbers_);
-    write_vts(path("target.vts"), numbers_);
+    write_map(path("map.txt"), {.source_to_target = numbers_});
+    write_map(path("source.vts"), {.source_to_target = numbers_});
+    write_map(path("target.vts"), {.source_to_target = numbers_});
     std::vector<int> other = numbers_;
     std::rotate(other.begin(), other.begin() + 1, other.end());
-    write_vts(path("target.sym.vts"), other);
+    write_map(path("target.sym.vts"), {.source_to_target = other});
   }
 
   std::string path(const std::string& name) const { return folder_.path(name); }
@@ -96,7 +95,7 @@ TEST_F(Eval, ComparesWithSymmetricTruth) {
 }
 
 TEST_F(Eval, MapMayBeNumberedFromOneOrListPairs) {
-  write_vts(path("one_based.txt"), numbers_);
+  write_map(path("one_based.txt"), {.source_to_target = numbers_}, Numbering::kFromOne);
   write_correspondence(path("pairs.txt"), to_correspondence(numbers_));
   nlohmann::json plain = json(truth());
   EXPECT_EQ(plain["map_numbered_from"], 0);
@@ -151,7 +150,7 @@ TEST_F(Eval, PointsOnTrianglesHaveAnErrorOfTheirOwn) {
   }
   for (int v = 0; v < mesh_.num_vertices(); ++v)
     sum += (position(target, map[v]) - target.vertices[v]).norm();
-  write_surface_map(path("map.bary.txt"), map);
+  write_map(path("map.bary.txt"), {.points = map});
   const nlohmann::json result = json(truth(), "map.bary.txt");
   EXPECT_EQ(result["ground_truth"]["error_over_sqrt_area"]["maximum"], 0);
   // Edges carry their exact length, up to rounding to float.

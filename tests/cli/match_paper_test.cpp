@@ -27,10 +27,11 @@ TEST_F(MatchPaper, MatchesEveryVertexOfTheLargestComponents) {
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("D_iso"));
   EXPECT_THAT(outcome.output, HasSubstr("2 components"));
-  const VertexMap map = read_source_to_target(path("out/source_to_target.txt"), counts());
+  const VertexMap map = read_map(path("out/source_to_target.txt"), counts()).source_to_target;
   for (int t : map) EXPECT_GE(t, 4);
   std::set<int> sources, targets;
-  for (const Match& match : read_correspondence(path("out/correspondence.txt"), counts())) {
+  const MatchContent relation = read_matches(path("out/correspondence.txt"), counts());
+  for (const Match& match : relation.matches) {
     sources.insert(match.source);
     targets.insert(match.target);
   }
@@ -44,8 +45,9 @@ TEST_F(MatchPaper, VerticesOutsideTheMatchedComponentAreUnmatched) {
                                "--method", "paper", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, "");
-  const VertexMap map = read_source_to_target(path("out/source_to_target.txt"),
-                                              {target_.num_vertices(), source_.num_vertices()});
+  const VertexMap map = read_map(path("out/source_to_target.txt"),
+                                 {target_.num_vertices(), source_.num_vertices(), std::nullopt})
+                            .source_to_target;
   for (int v = 0; v < target_.num_vertices(); ++v) EXPECT_EQ(map[v] == kUnmatched, v < 4);
 }
 
@@ -56,10 +58,10 @@ TEST_F(MatchPaper, ReportsEveryLevel) {
   for (int k = 0; k < 4; ++k) {
     const std::string stem = "out/levels/0" + std::to_string(k);
     const Correspondence matches =
-        read_correspondence(path(stem + ".correspondence.txt"), counts());
+        read_matches(path(stem + ".correspondence.txt"), counts()).matches;
     EXPECT_EQ(levels[k]["matches"], matches.size());
     const Correspondence many_to_one =
-        read_correspondence(path(stem + ".many_to_one.txt"), counts());
+        read_matches(path(stem + ".many_to_one.txt"), counts()).matches;
     EXPECT_EQ(levels[k]["source_bases"], many_to_one.size());
   }
   const nlohmann::json report = json("out/report.json");

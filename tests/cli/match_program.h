@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/mesh/synth.h"
 #include "support/mesh_files.h"
@@ -40,7 +40,9 @@ class MatchProgram : public testing::Test {
   std::string bytes(const std::string& name) const { return read_file(path(name)); }
   nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(bytes(name)); }
 
-  VertexCounts counts() const { return {source_.num_vertices(), target_.num_vertices()}; }
+  MapChecks counts() const {
+    return {source_.num_vertices(), target_.num_vertices(), target_.num_faces()};
+  }
 
   static SynthShape creature(int pose) {
     return synthesize({.vertices = 1000, .pose = pose, .seed = 3});

@@ -20,8 +20,7 @@ using testing::Not;
 class MatchTracked : public MatchProgram {
  protected:
   SurfaceMap points(const std::string& folder) const {
-    return read_surface_map(path(folder + "/source_to_target.bary.txt"),
-                            {source_.num_vertices(), target_.num_faces()});
+    return read_map(path(folder + "/source_to_target.bary.txt"), counts()).points;
   }
 
   /// Mean distance of corresponding points relative to the size of the creature's legs, about 1.
@@ -58,7 +57,7 @@ TEST_F(MatchTracked, IsTheDefaultAndWritesPointsOnTriangles) {
   EXPECT_THAT(outcome.output, Not(HasSubstr("mirrored")));
   const SurfaceMap map = points("out");
   for (const SurfacePoint& point : map) EXPECT_GE(point.face, tetrahedron().num_faces());
-  EXPECT_EQ(read_source_to_target(path("out/source_to_target.txt"), counts()),
+  EXPECT_EQ(read_map(path("out/source_to_target.txt"), counts()).source_to_target,
             nearest_vertices(target_, map));
   EXPECT_FALSE(fs::exists(path("out/target_to_source.txt")));
   const nlohmann::json report = json("out/report.json");
@@ -77,7 +76,8 @@ TEST_F(MatchTracked, IsTheDefaultAndWritesPointsOnTriangles) {
 TEST_F(MatchTracked, EveryVertexOfTheLargestComponentsHasAMatch) {
   ASSERT_EQ(run(arguments("out")).exit_code, 0);
   std::set<int> sources, targets;
-  for (const Match& match : read_correspondence(path("out/correspondence.txt"), counts())) {
+  const MatchContent relation = read_matches(path("out/correspondence.txt"), counts());
+  for (const Match& match : relation.matches) {
     sources.insert(match.source);
     targets.insert(match.target);
   }
@@ -90,8 +90,8 @@ TEST_F(MatchTracked, MapIsRight) {
   const SynthShape source = creature(1);
   std::vector<int> target_truth = creature(2).ground_truth;
   for (int& v : target_truth) v += kExtraVertices;
-  write_vts(path("source.vts"), source.ground_truth);
-  write_vts(path("target.vts"), target_truth);
+  write_map(path("source.vts"), {.source_to_target = source.ground_truth});
+  write_map(path("target.vts"), {.source_to_target = target_truth});
   ASSERT_EQ(run(arguments("out")).exit_code, 0);
   const Outcome outcome =
       run({"eval", path("source.off"), path("target.ply"), path("out/source_to_target.bary.txt"),
@@ -118,8 +118,8 @@ TEST_F(MatchTracked, VerticesOffTheSurfaceAreUnmatchedAndFollow) {
   EXPECT_EQ(outcome.output, "");
   EXPECT_THAT(bytes("out/source_to_target.bary.txt"),
               testing::StartsWith("-1 0 0 0\n-1 0 0 0\n-1 0 0 0\n-1 0 0 0\n"));
-  const VertexCounts turned{target_.num_vertices(), source_.num_vertices()};
-  const VertexMap map = read_source_to_target(path("out/source_to_target.txt"), turned);
+  const MapChecks turned{target_.num_vertices(), source_.num_vertices(), std::nullopt};
+  const VertexMap map = read_map(path("out/source_to_target.txt"), turned).source_to_target;
   for (int v = 0; v < target_.num_vertices(); ++v)
     EXPECT_EQ(map[v] == kUnmatched, v < kExtraVertices);
   EXPECT_EQ(json("out/report.json")["source_vertices_unmatched"], kExtraVertices);
@@ -134,9 +134,8 @@ TEST_F(MatchTracked, VerticesOffTheSurfaceAreUnmatchedAndFollow) {
     EXPECT_LT((moved - (registered.vertices[nearest] - target_.vertices[nearest])).norm(), 1e-9);
   }
 
-  const SurfaceMap inverse = read_surface_map(path("out/target_to_source.bary.txt"),
-                                              {source_.num_vertices(), target_.num_faces()});
-  EXPECT_EQ(read_source_to_target(path("out/target_to_source.txt"), counts()),
+  const SurfaceMap inverse = read_map(path("out/target_to_source.bary.txt"), counts()).points;
+  EXPECT_EQ(read_map(path("out/target_to_source.txt"), counts()).source_to_target,
             nearest_vertices(target_, inverse));
 }
 
@@ -159,7 +158,7 @@ TEST_F(MatchTracked, AlternativesHaveFoldersOfTheirOwn) {
     least = cost(alternatives[k]);
     const SurfaceMap map = points(folder);
     EXPECT_GT(mean_distance(positions(map), positions(best)), 0.05);
-    EXPECT_EQ(read_source_to_target(path(folder + "/source_to_target.txt"), counts()),
+    EXPECT_EQ(read_map(path(folder + "/source_to_target.txt"), counts()).source_to_target,
               nearest_vertices(target_, map));
     EXPECT_EQ(read_mesh(path(folder + "/registered.ply")).faces, source_.faces);
   }

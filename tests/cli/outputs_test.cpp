@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <map>
 
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/model_io.h"
 #include "match_program.h"
 #include "program.h"
 
@@ -168,12 +168,12 @@ TEST_F(Outputs, FramesStayWhenTheirFolderIsMatchedIntoAgain) {
 
 TEST_F(Outputs, MaterialsBesideAnOutputAreNotReplaced) {
   match_into("out");
-  TexturedMesh textured{source_, {}};
+  Model textured{.mesh = source_};
   textured.texture.coordinates = {{0, 0}, {1, 0}, {0, 1}};
   textured.texture.corners.assign(source_.faces.size(), {0, 1, 2});
   textured.texture.materials = {"fur"};
   textured.texture.face_material.assign(source_.faces.size(), 0);
-  write_textured_mesh(path("skin.obj"), textured, {"fur.mtl"});
+  write_model(path("skin.obj"), textured, {.material_libraries = {"fur.mtl"}});
   folder_.write("fur.mtl", "newmtl fur\nmap_Kd fur.png\n");
   folder_.write("fur.png", "not looked at");
   folder_.write("mine.mtl", "the user's");

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/model_io.h"
 #include "match_program.h"
 #include "program.h"
 
@@ -86,12 +86,12 @@ class RenderTextures : public Render {
   void SetUp() override {
     Render::SetUp();
     match();
-    TexturedMesh source{source_, {}};
+    Model source{.mesh = source_};
     source.texture.coordinates = {{0, 0}, {1, 0}, {0, 1}};
     source.texture.corners.assign(source_.faces.size(), {0, 1, 2});
     source.texture.materials = {"fur"};
     source.texture.face_material.assign(source_.faces.size(), 0);
-    write_textured_mesh(path("source.obj"), source);
+    write_model(path("source.obj"), source);
     const Outcome outcome = run({"transfer", path("out"), "--texture", path("source.obj"), "-o",
                                  path("target.obj"), "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;

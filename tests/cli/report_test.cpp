@@ -20,10 +20,10 @@ class Report : public MatchProgram {
  protected:
   void SetUp() override {
     MatchProgram::SetUp();
-    write_vts(path("source.vts"), creature(1).ground_truth);
+    write_map(path("source.vts"), {.source_to_target = creature(1).ground_truth});
     std::vector<int> target = creature(2).ground_truth;
     for (int& vertex : target) vertex += kExtraVertices;
-    write_vts(path("target.vts"), target);
+    write_map(path("target.vts"), {.source_to_target = target});
   }
 
   std::vector<std::string> truth() const {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "program.h"
 #include "support/temporary_folder.h"
@@ -45,8 +45,9 @@ TEST_F(Synth, WritesTheMeshAndBothTruthsBesideIt) {
   const Mesh mesh = read_mesh(path("made.ply"));
   EXPECT_EQ(mesh.vertices, expected.mesh.vertices);
   EXPECT_EQ(mesh.faces, expected.mesh.faces);
-  EXPECT_EQ(read_vts(path("made.vts"), mesh.num_vertices()), expected.ground_truth);
-  EXPECT_EQ(read_vts(path("made.sym.vts"), mesh.num_vertices()), expected.symmetric_ground_truth);
+  EXPECT_EQ(read_ground_truth(path("made.vts"), mesh.num_vertices()), expected.ground_truth);
+  EXPECT_EQ(read_ground_truth(path("made.sym.vts"), mesh.num_vertices()),
+            expected.symmetric_ground_truth);
 }
 
 TEST_F(Synth, BadArgumentsAreNamed) {

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/material_libraries.h"
+#include "isomatch/io/model_io.h"
 #include "isomatch/io/values_io.h"
 #include "match_program.h"
 #include "program.h"
@@ -30,8 +31,8 @@ class Transfer : public MatchProgram {
       source_to_target.push_back(corner(copy_, v + kExtraVertices));
       vertices.push_back(v + kExtraVertices);
     }
-    write_surface_map(path("out/source_to_target.bary.txt"), source_to_target);
-    write_source_to_target(path("out/source_to_target.txt"), vertices);
+    write_map(path("out/source_to_target.bary.txt"), {.points = source_to_target});
+    write_map(path("out/source_to_target.txt"), {.source_to_target = vertices});
     const nlohmann::json report{{"source", side("source.off", source_)},
                                 {"target", side("copy.ply", copy_)},
                                 {"options", {{"method", "tracked"}}}};
@@ -111,8 +112,8 @@ TEST_F(Transfer, ValuesOfWhatIsUnmatchedAreUnknown) {
 }
 
 TEST_F(Transfer, ColorsGoIntoAMesh) {
-  write_colored_mesh(path("painted.ply"), source_,
-                     VertexColors(source_.vertices.size(), {1, 0.2, 0}));
+  write_model(path("painted.ply"),
+              {.mesh = source_, .colors = VertexColors(source_.vertices.size(), {1, 0.2, 0})});
   expect_carried({"--colors", path("painted.ply")}, "carried.ply");
   const VertexColors colors = read_vertex_colors(path("carried.ply"));
   EXPECT_LT((colors[0] - Eigen::Vector3d(0.5, 0.5, 0.5)).norm(), 0.01);
@@ -128,7 +129,9 @@ TEST_F(Transfer, LandmarksInBothForms) {
   expect_carried({"--landmarks", folder_.write("landmarks.vts", "6\n701\n6\n")}, "carried.vts");
   EXPECT_EQ(bytes("carried.vts"), "10\n705\n10\n");
   expect_carried({"--landmarks", landmarks}, "carried.bary.txt");
-  const SurfaceMap points = read_surface_map(path("carried.bary.txt"), {3, copy_.num_faces()});
+  const SurfaceMap points =
+      read_map(path("carried.bary.txt"), {.source_vertices = 3, .target_faces = copy_.num_faces()})
+          .points;
   EXPECT_EQ(position(copy_, points[1]), copy_.vertices[704]);
 }
 
@@ -153,13 +156,13 @@ class TransferTexture : public Transfer {
   /// Writes art/source.obj: half of the faces have the one, half the other material.
   void write_source(const std::string& first, const std::string& second,
                     const std::vector<std::string>& libraries = {"source.mtl"}) const {
-    TexturedMesh textured{source_, {}};
+    Model textured{.mesh = source_};
     textured.texture.coordinates = {{0, 0}, {1, 0}, {0, 1}};
     textured.texture.corners.assign(source_.faces.size(), {0, 1, 2});
     textured.texture.materials = {first, second};
     for (int f = 0; f < source_.num_faces(); ++f)
       textured.texture.face_material.push_back(f < source_.num_faces() / 2 ? 0 : 1);
-    write_textured_mesh(path("art/source.obj"), textured, libraries);
+    write_model(path("art/source.obj"), textured, {libraries});
   }
 
   /// What is said on standard error of the texture that becomes `output`.

@@ -6,11 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "isomatch/error.h"
 #include "isomatch/mesh/synth.h"
-#include "support/random.h"
 #include "support/shapes.h"
-#include "support/transforms.h"
 
 namespace isomatch::picture {
 namespace {
@@ -58,27 +55,6 @@ TEST(View, ThePoseOfASyntheticCreatureDoesNotPutItOnItsSide) {
   };
   const Point up = guess_up(creature(0));
   for (int pose = 1; pose < 6; ++pose) EXPECT_EQ(guess_up(creature(pose)), up) << pose;
-}
-
-TEST(BestRotation, FindsTheRotationOfARotatedCopy) {
-  const Mesh mesh = test::rough_sphere(2, 0.3, 5);
-  const Eigen::Matrix3d rotation =
-      Eigen::AngleAxisd(2.1, Point(1, -2, 0.5).normalized()).toRotationMatrix();
-  std::vector<Point> to;
-  for (const Point& p : mesh.vertices) to.emplace_back(3 * (rotation * p) + Point(7, 8, 9));
-  EXPECT_LT((best_rotation(mesh.vertices, to) - rotation).norm(), 1e-9);
-}
-
-TEST(BestRotation, AMirrorImageStillGetsARotation) {
-  const Mesh mesh = test::rough_sphere(2, 0.3, 5);
-  expect_rotation(best_rotation(mesh.vertices, test::mirrored(mesh).vertices));
-}
-
-TEST(BestRotation, PointsThatDetermineNoneGiveTheIdentity) {
-  const std::vector<Point> line{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, one{{1, 2, 3}};
-  EXPECT_EQ(best_rotation(line, line), Eigen::Matrix3d::Identity());
-  EXPECT_EQ(best_rotation(one, one), Eigen::Matrix3d::Identity());
-  EXPECT_THROW(best_rotation(one, line), InvalidInput);
 }
 
 }  // namespace

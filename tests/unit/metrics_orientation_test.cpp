@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/measure/metrics.h"
 #include "support/data.h"
@@ -141,8 +141,8 @@ class RealMapOrientation : public testing::TestWithParam<ShapePair> {
   }
 
   static std::vector<int> vts(const Shape& shape, const std::string& name) {
-    return read_vts(data(GetParam().set + "/corres/" + name),
-                    static_cast<int>(shape.surface.surface_vertex.size()));
+    return read_ground_truth(data(GetParam().set + "/corres/" + name),
+                             static_cast<int>(shape.surface.surface_vertex.size()));
   }
 
   /// The map that takes each template point to its vertex in `target_vts`.

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "support/context.h"
 #include "support/data.h"
@@ -185,7 +185,7 @@ TEST_P(TrackedData, IsMatchedWithoutAFlip) {
                       {},
                       {}};
   const auto truth = [&](const std::string& name, const Mesh& mesh) {
-    return read_vts(folder + "corres/" + name, mesh.num_vertices());
+    return read_ground_truth(folder + "corres/" + name, mesh.num_vertices());
   };
   pair.source_truth = truth(GetParam().source + ".vts", pair.source);
   pair.target_truth = truth(GetParam().target + ".vts", pair.target);

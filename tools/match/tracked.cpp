@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 #include "match/method.h"
 #include "match/outcome.h"
 #include "results/folder/report.h"

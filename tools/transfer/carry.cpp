@@ -12,7 +12,7 @@
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/model_io.h"
 #include "isomatch/io/values_io.h"
 #include "isomatch/version.h"
 #include "load.h"
@@ -74,7 +74,7 @@ void carry_colors(const TransferJob& job, const TransferArguments& arguments) {
   VertexColors result;
   for (Eigen::Index v = 0; v < carried.rows(); ++v)
     result.push_back(carried.row(v).allFinite() ? Eigen::Vector3d(carried.row(v)) : kUnknownColor);
-  write_colored_mesh(arguments.output, job.onto, result);
+  write_model(arguments.output, {.mesh = job.onto, .colors = std::move(result)});
 }
 
 void carry_landmarks(const TransferJob& job, const TransferArguments& arguments) {

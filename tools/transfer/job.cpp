@@ -7,7 +7,7 @@
 
 #include "isomatch/carry/map_inversion.h"
 #include "isomatch/error.h"
-#include "isomatch/io/map_io.h"
+#include "isomatch/io/map_file.h"
 
 namespace isomatch::cli {
 namespace {
@@ -17,7 +17,9 @@ SurfaceMap load_inverse(const results::MatchResult& result, const results::Resul
   const std::string path =
       result.path((std::filesystem::path(map.folder) / "target_to_source.bary.txt").string());
   if (std::filesystem::exists(path))
-    return read_surface_map(path, {result.target.num_vertices(), result.source.num_faces()});
+    return read_map(path, {.source_vertices = result.target.num_vertices(),
+                           .target_faces = result.source.num_faces()})
+        .points;
   return invert_map(result.source, result.target, map.points, {}, context);
 }
 

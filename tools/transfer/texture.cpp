@@ -11,7 +11,7 @@
 #include "isomatch/carry/texture_transfer.h"
 #include "isomatch/error.h"
 #include "isomatch/io/atomic_file.h"
-#include "isomatch/io/texture_io.h"
+#include "isomatch/io/model_io.h"
 #include "load.h"
 #include "results/files/image_line.h"
 #include "results/files/materials.h"
@@ -108,14 +108,16 @@ void carry_texture(const TransferJob& job, const TransferArguments& arguments) {
     use_one_material(from.texture);
     materials.text = image_library("textured", arguments.image, library.string());
   }
-  const TexturedMesh carried = transfer_texture(job.from, from.texture, job.onto, job.onto_to_from,
-                                                {.cut_seams = !arguments.keep_faces});
+  TexturedMesh carried = transfer_texture(job.from, from.texture, job.onto, job.onto_to_from,
+                                          {.cut_seams = !arguments.keep_faces});
   AtomicFile file(library.string());
   file.write(materials.text);
   if (!materials.names.contains("none")) file.write(kUncovered);
   std::vector<std::string> libraries{library.filename().string()};
   libraries.insert(libraries.end(), materials.missing.begin(), materials.missing.end());
-  write_textured_mesh(arguments.output, carried, libraries);
+  write_model(arguments.output,
+              {.mesh = std::move(carried.mesh), .texture = std::move(carried.texture)},
+              {libraries});
   file.commit();
 }
 

@@ -3,32 +3,39 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "isomatch/io/map_io.h"
 #include "isomatch/maps/correspondence.h"
 #include "isomatch/maps/surface_map.h"
 
 /// Files of maps in the formats that others use, told apart by the ending:
-/// - .txt, .map: the target vertex of each source vertex, one a line;
-/// - .vts: the same, always numbered from one;
-/// - .bary.txt: target face and barycentric weights, see `read_surface_map`;
+/// - .txt, .map: the target vertex of each source vertex, one a line, or "unmatched", which is one
+///   less than the first vertex;
+/// - .vts: the same, always numbered from one, and without "unmatched";
+/// - .bary.txt: for each source vertex a line with a target face and the barycentric weights of its
+///   corners, or -1 0 0 0 where there is no point. Weights must be in [0, 1] and sum to 1, both
+///   within 1e-6, and are returned as they are;
 /// - .npz: arrays of numpy, always numbered from zero: `source_to_target` (N), and `triangles` (N)
 ///   with `barycentric` (N x 3); -1 where unmatched. The only array of N integers counts under
 ///   whatever name.
-/// Text may hold comments behind # and integers written as floats: numpy's `savetxt` writes both.
+/// Text may hold blank lines, comments behind # and integers written as floats: numpy's `savetxt`
+/// writes the latter two. What is read is 0-based in memory.
 namespace isomatch {
+
+/// The number that a file gives to a mesh's first vertex, and to its first face.
+enum class Numbering { kFromZero = 0, kFromOne = 1 };
 
 /// A map in one or both of its forms; a form that is not known is empty.
 struct MapContent {
-  VertexMap source_to_target;
-  SurfaceMap points;
+  VertexMap source_to_target{};
+  SurfaceMap points{};
 };
 
 /// What a map is checked against, as far as it is known.
 struct MapChecks {
-  std::optional<int> source_vertices, target_vertices, target_faces;
+  std::optional<int> source_vertices{}, target_vertices{}, target_faces{};
 };
 
 /// What a reader found out about a file.
@@ -45,8 +52,8 @@ struct MapReadReport {
 /// or the numbering, where it may be from one. .vts and .npz files need neither, and a .bary.txt
 /// file is numbered from zero unless told otherwise.
 ///
-/// Throws `BadFile` if the file is missing, malformed, of another ending, or does not pass
-/// `checks`. O(N).
+/// Throws `BadFile` that names the line if the file is missing, empty or malformed, of another
+/// ending, or does not pass `checks`. O(N).
 MapContent read_map(const std::string& path, const MapChecks& checks = {},
                     std::optional<Numbering> numbering = std::nullopt,
                     MapReadReport* report = nullptr);
@@ -77,6 +84,30 @@ std::vector<int> read_ground_truth(const std::string& path, std::optional<int> n
 /// unmatched, for which it has no word; `BadFile` if the file cannot be written.
 void write_map(const std::string& path, const MapContent& map,
                Numbering numbering = Numbering::kFromZero);
+
+/// Writes a match a line: source and target vertex, 0-based, and its distortion unless `d_iso` is
+/// empty; `read_matches` gets the same matches. Throws `InvalidInput` if `d_iso` is neither empty
+/// nor as long as `correspondence`, otherwise as `write_map`.
+void write_correspondence(const std::string& path, const Correspondence& correspondence,
+                          std::span<const double> d_iso = {});
+
+/// The meshes' numbers of vertices.
+struct VertexCounts {
+  int source;
+  int target;
+};
+
+/// Reads landmarks, in the file's order: a line each, source vertex and target vertex, and nothing
+/// else; no source vertex occurs twice. Between the two are blanks, tabs, a comma or a semicolon; a
+/// first line of names of columns, blank lines and comments behind # are passed over. Throws
+/// `BadFile` as `read_map`.
+std::vector<Match> read_landmarks(const std::string& path, VertexCounts counts,
+                                  Numbering numbering = Numbering::kFromZero);
+
+/// Reads a list of vertices, one a line, repeated or not, in the file's order. Without `numbering`
+/// they are numbered from 0, or from 1 in a file named .vts. Throws `BadFile` as `read_map`.
+std::vector<int> read_vertex_list(const std::string& path, int num_vertices,
+                                  std::optional<Numbering> numbering = std::nullopt);
 
 /// Whether `path` ends like a map.
 bool is_map_file_name(const std::string& path);

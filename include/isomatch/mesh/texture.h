@@ -26,6 +26,9 @@ struct Texture {
   bool covers(int face) const { return corners[face][0] != kNone; }
 };
 
+/// Red, green and blue in [0, 1] of each vertex.
+using VertexColors = std::vector<Eigen::Vector3d>;
+
 struct TexturedMesh {
   Mesh mesh;
   Texture texture;

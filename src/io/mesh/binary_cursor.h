@@ -2,14 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 
+#include "io/byte_order.h"
 #include "io/input_file.h"
 
 namespace isomatch::mesh_io {
@@ -26,11 +24,8 @@ class BinaryCursor {
   /// The next value, a number of type T.
   template <class T>
   T take() {
-    std::array<char, sizeof(T)> bytes;
     skip(sizeof(T));
-    std::memcpy(bytes.data(), value_, sizeof(T));
-    if constexpr (kByteOrder != std::endian::native) std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<T>(bytes);
+    return load<T>(value_, kByteOrder);
   }
 
   /// Passes over the next `count` values of `size` bytes each.

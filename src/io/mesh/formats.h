@@ -6,7 +6,6 @@
 #include "isomatch/io/atomic_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/io/model_io.h"
-#include "isomatch/io/texture_io.h"
 #include "isomatch/mesh/mesh.h"
 
 /// One reader and one writer a format; see `read_mesh` and `write_mesh` for what they promise.
@@ -59,6 +58,8 @@ void write_glb(const Mesh& mesh, AtomicFile& file);
 void write_gltf(const Mesh& mesh, AtomicFile& file);
 void write_mat(const Mesh& mesh, AtomicFile& file);
 
+void write_textured_obj(const Model& model, const std::vector<std::string>& libraries,
+                        AtomicFile& file);
 void write_colored_ply(const Mesh& mesh, const VertexColors& colors, AtomicFile& file);
 void write_glb_model(const Model& model, AtomicFile& file);
 void write_gltf_model(const Model& model, AtomicFile& file);

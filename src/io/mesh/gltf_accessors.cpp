@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cstring>
 #include <utility>
 
+#include "io/byte_order.h"
 #include "io/mesh/checks.h"
 
 namespace isomatch::mesh_io {
@@ -31,15 +29,6 @@ std::size_t component_size(int type) {
     default:
       return 0;
   }
-}
-
-/// glTF is little endian.
-template <class T>
-T load(const unsigned char* bytes) {
-  std::array<unsigned char, sizeof(T)> part;
-  std::memcpy(part.data(), bytes, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(part.begin(), part.end());
-  return std::bit_cast<T>(part);
 }
 
 /// The file's integer as such, or with 1 for `largest`.
@@ -100,8 +89,8 @@ GltfAccessors::Elements GltfAccessors::find(const Place& place) const {
 }
 
 double GltfAccessors::component(const Elements& elements, std::size_t element, int k) {
-  const unsigned char* const bytes =
-      elements.begin + element * elements.stride + k * component_size(elements.component_type);
+  const char* const bytes = reinterpret_cast<const char*>(elements.begin) +
+                            element * elements.stride + k * component_size(elements.component_type);
   const bool normalized = elements.normalized;
   switch (elements.component_type) {
     case kInt8:

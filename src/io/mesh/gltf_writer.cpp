@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/byte_order.h"
 #include "io/mesh/formats.h"
 #include "io/mesh/gltf_colors.h"
 #include "io/mesh/gltf_corners.h"
@@ -119,10 +120,7 @@ class GltfWriter {
 
   template <class T>
   void append(T value) {
-    static_assert(std::endian::native == std::endian::little, "glTF is little endian");
-    const auto part = std::bit_cast<std::array<unsigned char, sizeof(T)>>(value);
-    std::vector<unsigned char>& bytes = document_.buffers[0].data;
-    bytes.insert(bytes.end(), part.begin(), part.end());
+    append_little_endian(value, document_.buffers[0].data);
   }
 
   void append_float(double value) {

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <string_view>
 
-#include "geometry/inflate.h"
+#include "io/byte_order.h"
+#include "io/inflate.h"
 
 namespace isomatch::mesh_io {
 namespace {
@@ -64,10 +64,7 @@ class MatCursor {
 
   template <class T>
   T load(std::string_view bytes) const {
-    std::array<char, sizeof(T)> part{};
-    std::ranges::copy(bytes.substr(0, sizeof(T)), part.begin());
-    if (order_ != std::endian::native) std::reverse(part.begin(), part.end());
-    return std::bit_cast<T>(part);
+    return isomatch::load<T>(bytes.data(), order_);
   }
 
   Element take() {

@@ -36,6 +36,11 @@ Write gltf_writer_of(const std::string& path) {
   return nullptr;
 }
 
+void check_ending(const std::string& path, std::string_view ending) {
+  if (!ends_with(path, ending))
+    throw BadFile(path, fmt::format("must be a file named {} here", ending));
+}
+
 /// Without texture if it covers nothing.
 void drop_empty_texture(Model& model) {
   for (std::size_t f = 0; f < model.texture.corners.size(); ++f)
@@ -71,20 +76,42 @@ Model read_model(const std::string& path, MeshReadReport* report, const MeshRead
   return model;
 }
 
-void write_model(const std::string& path, const Model& model) {
+TexturedMesh read_textured_mesh(const std::string& path, MeshReadReport* report) {
+  const InputFile file(path);
+  check_ending(path, ".obj");
+  mesh_io::ReadResult result = mesh_io::read_textured_obj(file);
+  mesh_io::complete(result, file);
+  if (report) *report = std::move(result.report);
+  TexturedMesh textured{std::move(result.mesh), std::move(result.texture)};
+  for (int f = 0; f < textured.mesh.num_faces(); ++f)
+    if (textured.texture.covers(f)) return textured;
+  file.fail("no face has texture coordinates");
+}
+
+VertexColors read_vertex_colors(const std::string& path, MeshReadReport* report) {
+  const InputFile file(path);
+  check_ending(path, ".ply");
+  mesh_io::ReadResult result = mesh_io::read_colored_ply(file);
+  if (result.colors.empty()) file.fail("its vertices have no colours: red, green and blue");
+  if (report) *report = std::move(result.report);
+  return std::move(result.colors);
+}
+
+void write_model(const std::string& path, const Model& model, const ModelWriteOptions& options) {
   check_mesh_output(path);
   validate(model);
-  if (const Write write = gltf_writer_of(path)) {
-    AtomicFile file(path);
-    write(model, file);
-    file.commit();
-  } else if (ends_with(path, ".ply") && !model.colors.empty()) {
-    write_colored_mesh(path, model.mesh, model.colors);
-  } else if (ends_with(path, ".obj") && !model.texture.corners.empty()) {
-    write_textured_mesh(path, {model.mesh, model.texture});
-  } else {
-    write_mesh(path, model.mesh);
-  }
+  const Write write_gltf = gltf_writer_of(path);
+  const bool is_colored = ends_with(path, ".ply") && !model.colors.empty();
+  const bool is_textured = ends_with(path, ".obj") && !model.texture.corners.empty();
+  if (!write_gltf && !is_colored && !is_textured) return write_mesh(path, model.mesh);
+  AtomicFile file(path);
+  if (write_gltf)
+    write_gltf(model, file);
+  else if (is_colored)
+    mesh_io::write_colored_ply(model.mesh, model.colors, file);
+  else
+    mesh_io::write_textured_obj(model, options.material_libraries, file);
+  file.commit();
 }
 
 }  // namespace isomatch

@@ -13,7 +13,6 @@
 #include "io/mesh/checks.h"
 #include "io/mesh/formats.h"
 #include "io/mesh/polygon.h"
-#include "io/mesh/text_writer.h"
 #include "io/text_cursor.h"
 
 namespace isomatch::mesh_io {
@@ -167,9 +166,5 @@ class ObjReader {
 ReadResult read_obj(const InputFile& file) { return ObjReader(file).read(); }
 
 ReadResult read_textured_obj(const InputFile& file) { return ObjReader(file).read_with_texture(); }
-
-void write_obj(const Mesh& mesh, AtomicFile& file) {
-  write_text(mesh, {.before_vertex = "v ", .before_face = "f ", .first_index = 1}, file);
-}
 
 }  // namespace isomatch::mesh_io

@@ -7,7 +7,7 @@
 
 #include "io/input_file.h"
 #include "io/mesh/ply_header.h"
-#include "isomatch/io/texture_io.h"
+#include "isomatch/mesh/texture.h"
 
 namespace isomatch::mesh_io {
 

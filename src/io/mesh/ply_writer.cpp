@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/byte_order.h"
 #include "io/mesh/formats.h"
 
 namespace isomatch::mesh_io {
@@ -31,13 +32,6 @@ constexpr std::string_view kColorProperties =
     "property uchar blue\n";
 constexpr char kCorners = 3;
 
-template <class T>
-void append_little_endian(std::string& bytes, T value) {
-  auto part = std::bit_cast<std::array<char, sizeof(T)>>(value);
-  if constexpr (std::endian::native == std::endian::big) std::reverse(part.begin(), part.end());
-  bytes.append(part.data(), part.size());
-}
-
 char byte(double intensity) {
   return static_cast<char>(std::lround(255 * std::clamp(intensity, 0.0, 1.0)));
 }
@@ -49,14 +43,14 @@ void write(const Mesh& mesh, const VertexColors& colors, AtomicFile& file) {
   std::string bytes;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     bytes.clear();
-    for (const double coordinate : mesh.vertices[v]) append_little_endian(bytes, coordinate);
+    for (const double coordinate : mesh.vertices[v]) append_little_endian(coordinate, bytes);
     if (!colors.empty())
       for (const double intensity : colors[v]) bytes += byte(intensity);
     file.write(bytes);
   }
   for (const Face& face : mesh.faces) {
     bytes.assign(1, kCorners);
-    for (const int vertex : face) append_little_endian(bytes, vertex);
+    for (const int vertex : face) append_little_endian(vertex, bytes);
     file.write(bytes);
   }
 }

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/point_index.h"
 #include "io/mesh/binary_cursor.h"
 #include "io/mesh/checks.h"
 #include "io/mesh/formats.h"
-#include "io/mesh/point_index.h"
 #include "io/text_cursor.h"
 
 namespace isomatch::mesh_io {

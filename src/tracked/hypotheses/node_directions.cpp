@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/hat_gradients.h"
+
 namespace isomatch::tracked {
 namespace {
 
@@ -27,12 +29,10 @@ GradientStencil gradient_stencil(const Proxy& proxy, int vertex) {
   GradientStencil stencil;
   for (int f : proxy.faces[vertex]) {
     const Face& face = proxy.mesh.faces[f];
-    const auto& p = proxy.mesh.vertices;
-    const Point face_normal = (p[face[1]] - p[face[0]]).cross(p[face[2]] - p[face[0]]).normalized();
+    const std::array<Point, 3> gradients = hat_gradients(proxy.mesh, face);
     for (int k = 0; k < 3; ++k) {
-      const Point gradient = 0.5 * face_normal.cross(p[face[(k + 2) % 3]] - p[face[(k + 1) % 3]]);
       stencil.vertices.push_back(face[k]);
-      stencil.weights.emplace_back(gradient.dot(x), gradient.dot(y));
+      stencil.weights.emplace_back(gradients[k].dot(x), gradients[k].dot(y));
     }
   }
   return stencil;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "geometry/descent.h"
 #include "geometry/simplify.h"
+#include "geometry/walk.h"
 #include "parallel.h"
 #include "tracked/shape/relief.h"
 
@@ -58,7 +58,7 @@ void set_places(Detail& detail, const std::vector<int>& vertices, const Context&
 std::vector<int> anchors(const Surface& surface, const Detail& detail, const Context& context) {
   std::vector<int> anchor = fewest_edges_away(surface, detail);
   parallel_for(std::ssize(anchor), context, [&](std::ptrdiff_t v) {
-    anchor[v] = elastic::descend(anchor[v], surface.mesh.vertices[v], detail.mesh, detail.faces);
+    anchor[v] = walk_to_vertex(detail.mesh, detail.faces, anchor[v], surface.mesh.vertices[v]);
   });
   return anchor;
 }

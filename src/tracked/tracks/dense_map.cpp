@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "elastic/nearest_point.h"
-#include "geometry/descent.h"
-#include "geometry/foot.h"
+#include "geometry/closest_point.h"
+#include "geometry/walk.h"
 #include "parallel.h"
 #include "tracked/tracks/deformed_surface.h"
 
@@ -48,10 +48,8 @@ SurfacePoints project(const Side& from, const Side& onto, const elastic::Project
   SurfaceMap map(from.deformed.positions.size());
   parallel_for(std::ssize(map), context, [&](std::ptrdiff_t v) {
     const Point& p = from.deformed.positions[v];
-    const int vertex = elastic::descend(starts[from.pyramid.anchors[v]], p, mesh, surface.faces);
-    const elastic::Foot foot =
-        elastic::foot_around(vertex, p, mesh, surface.faces, onto.deformed.normals);
-    map[v] = {foot.face, foot.weights};
+    const int vertex = walk_to_vertex(mesh, surface.faces, starts[from.pyramid.anchors[v]], p);
+    map[v] = closest_point_around(mesh, surface.faces, vertex, p);
   });
   return SurfacePoints(std::move(map));
 }
@@ -86,11 +84,9 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
   DenseMap map{project(from, onto, options.fine_projection, context),
                project(onto, from, options.fine_projection, context),
                std::move(deformed.positions)};
-  for (const Match& match : *options.landmarks) {
-    const elastic::Foot foot = elastic::foot_around(match.target, goal.mesh.vertices[match.target],
-                                                    goal.mesh, goal.faces, goal.normals);
-    (*map.source_to_target)[match.source] = {foot.face, foot.weights};
-  }
+  for (const Match& match : *options.landmarks)
+    (*map.source_to_target)[match.source] =
+        closest_point_around(goal.mesh, goal.faces, match.target, goal.mesh.vertices[match.target]);
   return map;
 }
 

@@ -33,8 +33,8 @@ std::vector<elastic::Pin> landmark_pins(const Pyramid& source, const Pyramid& ta
 std::vector<int> foot_vertices(const Mesh& mesh, const std::vector<elastic::Foot>& feet) {
   std::vector<int> vertices;
   for (const elastic::Foot& foot : feet) {
-    const auto corner = std::ranges::max_element(foot.weights) - foot.weights.begin();
-    vertices.push_back(mesh.faces[foot.face][corner]);
+    const auto& [face, weights] = foot.point;
+    vertices.push_back(mesh.faces[face][std::ranges::max_element(weights) - weights.begin()]);
   }
   return vertices;
 }

@@ -27,12 +27,6 @@ Track reverse_track(const Track& track, const Refinement& tracking, const Pyrami
                    std::max(0, options.rounds - options.reverse_rounds));
 }
 
-Point position(const elastic::Foot& foot, const Mesh& mesh) {
-  Point point(0, 0, 0);
-  for (int c = 0; c < 3; ++c) point += foot.weights[c] * mesh.vertices[mesh.faces[foot.face][c]];
-  return point;
-}
-
 /// Where the nodes of the source are on the target, since the target came to lie on them.
 std::vector<Point> places_below(const Level& nodes, const Proxy& source, const Proxy& target,
                                 const Track& reverse, const elastic::ProjectionWeights& weights) {
@@ -43,7 +37,7 @@ std::vector<Point> places_below(const Level& nodes, const Proxy& source, const P
   for (int i = 0; i < nodes.size(); ++i) {
     const elastic::Foot foot =
         onto(source.node_position(i), source.node_normal(i), source.features[source.nodes[i]]);
-    places.push_back(position(foot, target.mesh));
+    places.push_back(position(target.mesh, foot.point));
   }
   return places;
 }

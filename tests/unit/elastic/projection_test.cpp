@@ -122,16 +122,16 @@ double distance_to_faces(const Target& target, int vertex, const Point& position
 
 /// That position and normal of `foot` are those of its weights.
 void expect_consistent(const Target& target, const Foot& foot) {
-  ASSERT_GE(foot.face, 0);
-  ASSERT_LT(foot.face, target.mesh.num_faces());
+  ASSERT_GE(foot.point.face, 0);
+  ASSERT_LT(foot.point.face, target.mesh.num_faces());
   Point position = Point::Zero(), normal = Point::Zero();
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
-    const int corner = target.mesh.faces[foot.face][k];
-    EXPECT_GE(foot.weights[k], -1e-12);
-    sum += foot.weights[k];
-    position += foot.weights[k] * target.mesh.vertices[corner];
-    normal += foot.weights[k] * target.normals[corner];
+    const int corner = target.mesh.faces[foot.point.face][k];
+    EXPECT_GE(foot.point.weights[k], -1e-12);
+    sum += foot.point.weights[k];
+    position += foot.point.weights[k] * target.mesh.vertices[corner];
+    normal += foot.point.weights[k] * target.normals[corner];
   }
   EXPECT_NEAR(sum, 1, 1e-12);
   EXPECT_LT((foot.position - position).norm(), 1e-12);
@@ -206,7 +206,7 @@ TEST(Projection, OntoDegenerateFacesIsAPoint) {
     const Point position = random.uniform(0, 1.5) * random.direction();
     const Foot result = foot(projection, {position, position.normalized(), {}});
     EXPECT_TRUE(result.position.allFinite());
-    EXPECT_GE(result.face, 0);
+    EXPECT_GE(result.point.face, 0);
   }
 }
 

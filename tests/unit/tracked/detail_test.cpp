@@ -7,29 +7,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "geometry/simplify.h"
 #include "support/context.h"
 #include "support/shapes.h"
 
 namespace isomatch::tracked {
 namespace {
-
-TEST(Simplify, KeepsSomeOfTheVerticesInOrder) {
-  const Mesh mesh = test::rough_sphere(4, 0.1, 1);
-  const SimplifiedMesh simplified = simplify(mesh, 300);
-  EXPECT_NO_THROW(validate(simplified.mesh));
-  EXPECT_NEAR(simplified.mesh.num_vertices(), 300, 10);
-  EXPECT_TRUE(std::ranges::is_sorted(simplified.kept));
-  for (int v = 0; v < simplified.mesh.num_vertices(); ++v)
-    EXPECT_EQ(simplified.mesh.vertices[v], mesh.vertices[simplified.kept[v]]);
-}
-
-TEST(Simplify, LeavesASmallMeshAsItIs) {
-  const Mesh mesh = test::icosphere(2);
-  const SimplifiedMesh simplified = simplify(mesh, mesh.num_vertices());
-  EXPECT_EQ(simplified.mesh.vertices, mesh.vertices);
-  EXPECT_EQ(simplified.mesh.faces, mesh.faces);
-}
 
 class DetailOfASphere : public testing::Test {
  protected:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "geometry/inflate.h"
+#include "io/inflate.h"
 
 #include <algorithm>
 

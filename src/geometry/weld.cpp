@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "carry/welded.h"
+#include "geometry/weld.h"
 
-#include "io/mesh/point_index.h"
+#include "geometry/point_index.h"
 
-namespace isomatch::transfer {
+namespace isomatch {
 
 WeldedMesh weld(const Mesh& mesh) {
-  mesh_io::PointIndex index;
+  PointIndex index;
   WeldedMesh result{{{}, mesh.faces}, {}};
   result.vertex.reserve(mesh.vertices.size());
   for (const Point& p : mesh.vertices) result.vertex.push_back(index.number_of(p));
@@ -17,4 +17,4 @@ WeldedMesh weld(const Mesh& mesh) {
   return result;
 }
 
-}  // namespace isomatch::transfer
+}  // namespace isomatch

@@ -6,7 +6,7 @@
 
 #include "isomatch/mesh/mesh.h"
 
-namespace isomatch::transfer {
+namespace isomatch {
 
 /// A mesh whose vertices at equal positions have become one, so that the seams of split vertices
 /// that texture coordinates leave close. Faces keep their numbers and the order of their corners.
@@ -19,4 +19,4 @@ struct WeldedMesh {
 /// Welded vertices are numbered in order of first appearance. O(N).
 WeldedMesh weld(const Mesh& mesh);
 
-}  // namespace isomatch::transfer
+}  // namespace isomatch

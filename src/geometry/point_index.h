@@ -11,7 +11,7 @@
 
 #include "isomatch/mesh/mesh.h"
 
-namespace isomatch::mesh_io {
+namespace isomatch {
 
 /// Numbers distinct points in the order of their first appearance. -0 equals 0. A hash table with
 /// linear probing, at most half full; it holds the points' numbers.
@@ -73,4 +73,4 @@ class PointIndex {
   std::vector<int> slots_;
 };
 
-}  // namespace isomatch::mesh_io
+}  // namespace isomatch

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/io/texture_io.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "isomatch/error.h"
+#include "isomatch/io/material_libraries.h"
 #include "isomatch/io/mesh_io.h"
+#include "isomatch/io/model_io.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
 
@@ -82,14 +82,15 @@ TEST(ReadTexturedMesh, BadFilesAreNamed) {
               EndsWith("line 5: expected a finite number, found 'nan'"));
 }
 
-TEST(WriteTexturedMesh, RoundTripsAreExact) {
+TEST(WriteTexturedModel, RoundTripsAreExact) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path("mesh.obj");
   const TexturedMesh mesh = read(kSquare + "vt 0.1 0.3\nvt 1e-9 1\nvt 3 -2\n" +
                                  "usemtl a b\nf 1/1 2/2 3/3\nf 1 3 4\nusemtl c\nf 3/3 2/2 1/1\n");
   TexturedMesh bare = mesh;
   bare.texture.face_material[1] = Texture::kNone;
-  write_textured_mesh(path, bare, {"some where.mtl"});
+  write_model(path, {.mesh = bare.mesh, .texture = bare.texture},
+              {.material_libraries = {"some where.mtl"}});
   const TexturedMesh again = read_textured_mesh(path);
   EXPECT_EQ(again.mesh.vertices, mesh.mesh.vertices);
   EXPECT_EQ(again.mesh.faces, mesh.mesh.faces);
@@ -99,12 +100,12 @@ TEST(WriteTexturedMesh, RoundTripsAreExact) {
   EXPECT_EQ(read_mesh(path).faces, mesh.mesh.faces);
 }
 
-TEST(WriteTexturedMesh, NamesOfMaterialsStayOnTheirLine) {
+TEST(WriteTexturedModel, NamesOfMaterialsStayOnTheirLine) {
   const test::TemporaryFolder folder;
   TexturedMesh mesh = read(kSquare + kCoordinates + "usemtl a # b\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
   mesh.texture.materials.emplace_back("two\nlines\\");
   mesh.texture.face_material[1] = 1;
-  write_textured_mesh(folder.path("mesh.obj"), mesh);
+  write_model(folder.path("mesh.obj"), {.mesh = mesh.mesh, .texture = mesh.texture});
   const TexturedMesh again = read_textured_mesh(folder.path("mesh.obj"));
   EXPECT_EQ(again.mesh.faces, mesh.mesh.faces);
   EXPECT_THAT(again.texture.materials, ElementsAre("a # b", "two lines\\"));
@@ -170,7 +171,7 @@ TEST(VertexColors, RoundTripsAreExactToTheByte) {
   const test::TemporaryFolder folder;
   const Mesh mesh = test::tetrahedron();
   const VertexColors colors{{0, 0.2, 1}, {1, 1, 1}, {0.4, 0.6, 0.8}, {0, 0, 0}};
-  write_colored_mesh(folder.path("a.ply"), mesh, colors);
+  write_model(folder.path("a.ply"), {.mesh = mesh, .colors = colors});
   const VertexColors again = read_vertex_colors(folder.path("a.ply"));
   ASSERT_EQ(again.size(), 4U);
   for (int v = 0; v < 4; ++v) EXPECT_LT((again[v] - colors[v]).norm(), 1e-12);
@@ -236,9 +237,10 @@ TEST(VertexColors, MissingOnesAreReported) {
   const test::TemporaryFolder folder;
   write_mesh(folder.path("a.ply"), test::tetrahedron());
   EXPECT_THROW(read_vertex_colors(folder.path("a.ply")), BadFile);
-  EXPECT_THROW(write_colored_mesh(folder.path("a.ply"), test::tetrahedron(), {}), InvalidInput);
-  EXPECT_THROW(write_colored_mesh(folder.path("a.off"), test::tetrahedron(), VertexColors(4)),
-               BadFile);
+  EXPECT_THROW(read_vertex_colors(folder.write("a.off", "OFF\n")), BadFile);
+  EXPECT_THROW(
+      write_model(folder.path("a.ply"), {.mesh = test::tetrahedron(), .colors = VertexColors(3)}),
+      InvalidInput);
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/io/map_io.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "isomatch/error.h"
+#include "isomatch/io/map_file.h"
 #include "support/random.h"
 #include "support/temporary_folder.h"
 
@@ -16,11 +15,14 @@ using test::TemporaryFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class MapIo : public testing::Test {
+/// Shapes of 4 and 10 vertices; the target has 7 faces.
+const MapChecks kChecks{4, 10, 7};
+
+class MapText : public testing::Test {
  protected:
   /// The correspondence in a file of `content`, between shapes of 4 and 10 vertices.
   Correspondence read(std::string_view content, Numbering numbering = Numbering::kFromZero) const {
-    return read_correspondence(folder_.write("map.txt", content), {4, 10}, numbering);
+    return read_matches(folder_.write("map.txt", content), kChecks, numbering).matches;
   }
 
   /// The message with which reading `content` fails, without the path.
@@ -28,15 +30,15 @@ class MapIo : public testing::Test {
     return message([&] { read(content, numbering); });
   }
 
-  /// The message with which `reading` map.txt fails, without the path.
+  /// The message with which `reading` the file `name` fails, without the path.
   template <class Reading>
-  std::string message(const Reading& reading) const {
+  std::string message(const Reading& reading, const std::string& name = "map.txt") const {
     try {
       reading();
     } catch (const BadFile& error) {
       const std::string message = error.what();
-      EXPECT_THAT(message, testing::StartsWith(folder_.path("map.txt") + ": "));
-      return message.substr(folder_.path("map.txt").size() + 2);
+      EXPECT_THAT(message, testing::StartsWith(folder_.path(name) + ": "));
+      return message.substr(folder_.path(name).size() + 2);
     }
     return "no failure";
   }
@@ -44,30 +46,30 @@ class MapIo : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(MapIo, ReadsMapOfOneVertexALine) {
+TEST_F(MapText, ReadsMapOfOneVertexALine) {
   EXPECT_THAT(read("3\n-1\n0\n9\n"), ElementsAre(Match{0, 3}, Match{2, 0}, Match{3, 9}));
 }
 
-TEST_F(MapIo, ReadsMapNumberedFromOne) {
+TEST_F(MapText, ReadsMapNumberedFromOne) {
   EXPECT_THAT(read("3\n0\n1\n10", Numbering::kFromOne),
               ElementsAre(Match{0, 2}, Match{2, 0}, Match{3, 9}));
 }
 
-TEST_F(MapIo, ReadsPairsInAnyOrderWithTrailingWords) {
+TEST_F(MapText, ReadsPairsInAnyOrderWithTrailingWords) {
   EXPECT_THAT(read("2 5 0.25\r\n0 9 worst\r\n\r\n2 5 again\r\n2 1\r\n"),
               ElementsAre(Match{0, 9}, Match{2, 1}, Match{2, 5}));
 }
 
-TEST_F(MapIo, ReadsPairsNumberedFromOne) {
+TEST_F(MapText, ReadsPairsNumberedFromOne) {
   EXPECT_THAT(read("1 10\n4 1\n", Numbering::kFromOne), ElementsAre(Match{0, 9}, Match{3, 0}));
 }
 
-TEST_F(MapIo, LengthOfMapMustBeNumberOfSourceVertices) {
-  EXPECT_EQ(failure("1\n2\n3\n"), "the map has 3 lines, but the source has 4 vertices");
-  EXPECT_EQ(failure("1\n2\n3\n4\n5\n"), "the map has 5 lines, but the source has 4 vertices");
+TEST_F(MapText, LengthOfMapMustBeNumberOfSourceVertices) {
+  EXPECT_EQ(failure("1\n2\n3\n"), "the map is for 3 vertices, but the source has 4");
+  EXPECT_EQ(failure("1\n2\n3\n4\n5\n"), "the map is for 5 vertices, but the source has 4");
 }
 
-TEST_F(MapIo, VertexOutOfRangeNamesLine) {
+TEST_F(MapText, VertexOutOfRangeNamesLine) {
   EXPECT_EQ(failure("1\n2\n10\n4\n"),
             "line 3: vertex 10 is out of range: the target has 10 vertices, numbered from 0");
   EXPECT_THAT(failure("1\n-2\n1\n4\n"), HasSubstr("line 2: vertex -2 is out of range"));
@@ -78,33 +80,33 @@ TEST_F(MapIo, VertexOutOfRangeNamesLine) {
   EXPECT_THAT(failure("1\n2\n3\n99999999999\n"), HasSubstr("line 4: vertex 99999999999"));
 }
 
-TEST_F(MapIo, WhatIsNoIntegerNamesLine) {
+TEST_F(MapText, WhatIsNoIntegerNamesLine) {
   EXPECT_THAT(failure("1\n2\nthree\n4\n"), HasSubstr("line 3: expected an integer"));
   EXPECT_THAT(failure("1\n2.5\n3\n4\n"), HasSubstr("line 2: expected an integer"));
-  EXPECT_THAT(failure("1\n2\n3 4\n4\n"), HasSubstr("line 3: expected the end of the line"));
+  EXPECT_THAT(failure("1\n2\n3 4\n4\n"), HasSubstr("line 3: one vertex a line expected"));
   EXPECT_THAT(failure("1 2\n2\n"), HasSubstr("line 2: expected an integer, but the line ends"));
   EXPECT_THAT(failure("1\n2\n3\n99999999999999999999\n"), HasSubstr("line 4"));
 }
 
-TEST_F(MapIo, EmptyAndMissingFilesFail) {
+TEST_F(MapText, EmptyAndMissingFilesFail) {
   EXPECT_NE(failure(""), "no failure");
   EXPECT_EQ(failure("\n \n"), "no vertices in it");
-  EXPECT_THROW(read_correspondence(folder_.path("absent.txt"), {4, 10}), BadFile);
+  EXPECT_THROW(read_matches(folder_.path("absent.txt"), kChecks), BadFile);
 }
 
-TEST_F(MapIo, LandmarksKeepTheirOrder) {
+TEST_F(MapText, LandmarksKeepTheirOrder) {
   EXPECT_THAT(read_landmarks(folder_.write("pairs.txt", "2 5 # nose\n\n0 9\n"), {4, 10}),
               ElementsAre(Match{2, 5}, Match{0, 9}));
 }
 
-TEST_F(MapIo, LandmarksOfNumpyAreRead) {
+TEST_F(MapText, LandmarksOfNumpyAreRead) {
   EXPECT_THAT(read_landmarks(folder_.write("pairs.txt", "# s t\n2.0e+00 5.00e+00\n"), {4, 10}),
               ElementsAre(Match{2, 5}));
   EXPECT_THAT(read_vertex_list(folder_.write("list.txt", "# v\n2.0e+00\n0\n"), 3),
               ElementsAre(2, 0));
 }
 
-TEST_F(MapIo, LandmarksOfSpreadsheetsAreRead) {
+TEST_F(MapText, LandmarksOfSpreadsheetsAreRead) {
   for (const char* content :
        {"2,5\n0,9\n", "\"source\",\"target\"\r\n2,5\r\n0,9\r\n", "2;5\n0;9", "s;t\n2; 5\n0 ;9\n",
         "2\t5\n0\t9\n", "# by hand\nsource target\n\n2 5 # nose\n0 9\n"})
@@ -113,17 +115,17 @@ TEST_F(MapIo, LandmarksOfSpreadsheetsAreRead) {
         << content;
 }
 
-TEST_F(MapIo, LandmarksFromOneAreShifted) {
+TEST_F(MapText, LandmarksFromOneAreShifted) {
   EXPECT_THAT(
       read_landmarks(folder_.write("pairs.txt", "4 10\n1 1\n"), {4, 10}, Numbering::kFromOne),
       ElementsAre(Match{3, 9}, Match{0, 0}));
 }
 
-TEST_F(MapIo, VertexListsNamedVtsAreNumberedFromOne) {
+TEST_F(MapText, VertexListsNamedVtsAreNumberedFromOne) {
   EXPECT_THAT(read_vertex_list(folder_.write("list.vts", "3\n1\n"), 3), ElementsAre(2, 0));
 }
 
-TEST_F(MapIo, BadLandmarksNameLine) {
+TEST_F(MapText, BadLandmarksNameLine) {
   const auto failure = [&](std::string_view content) {
     return message([&] { read_landmarks(folder_.write("map.txt", content), {4, 10}); });
   };
@@ -142,18 +144,22 @@ TEST_F(MapIo, BadLandmarksNameLine) {
   EXPECT_THAT(failure("s t\nO 9\n"), HasSubstr("line 2: expected an integer, found 'O'"));
 }
 
-TEST_F(MapIo, ReadsPointsOnTriangles) {
+TEST_F(MapText, ReadsPointsOnTriangles) {
   const auto read = [&](std::string_view content, Numbering numbering) {
-    return read_surface_map(folder_.write("map.bary.txt", content), {3, 7}, numbering);
+    return read_map(folder_.write("map.bary.txt", content), {3, 10, 7}, numbering).points;
   };
   const SurfaceMap expected{{6, {0.25, 0.75, 0}}, {}, {0, {1, 0, 0}}};
   EXPECT_EQ(read("6 .25 0.75 0\r\n\r\n-1 0 0 0\r\n0 1 0 0", Numbering::kFromZero), expected);
   EXPECT_EQ(read("7 .25 .75 0\n0 0 0 0\n1 1 0 0\n", Numbering::kFromOne), expected);
 }
 
-TEST_F(MapIo, BadPointsNameLine) {
+TEST_F(MapText, BadPointsNameLine) {
   const auto failure = [&](std::string_view content) {
-    return message([&] { read_surface_map(folder_.write("map.txt", content), {2, 7}); });
+    return message(
+        [&] {
+          read_map(folder_.write("map.bary.txt", content), {2, 10, 7});
+        },
+        "map.bary.txt");
   };
   EXPECT_EQ(failure("0 1 0 0\n7 1 0 0\n"),
             "line 2: face 7 is out of range: the target has 7 faces, numbered from 0");
@@ -169,38 +175,40 @@ TEST_F(MapIo, BadPointsNameLine) {
   EXPECT_NE(failure(""), "no failure");
 }
 
-TEST_F(MapIo, WeightsMayBeOffByRounding) {
+TEST_F(MapText, WeightsMayBeOffByRounding) {
   const std::string path =
-      folder_.write("map.txt", "0 1.0000005 -0.0000005 0\n0 .3333333 .3333333 .3333333\n");
-  const SurfaceMap map = read_surface_map(path, {2, 1});
+      folder_.write("map.bary.txt", "0 1.0000005 -0.0000005 0\n0 .3333333 .3333333 .3333333\n");
+  const SurfaceMap map = read_map(path).points;
   EXPECT_EQ(map[0].weights[1], -0.0000005);
   EXPECT_EQ(map[1].weights[2], 0.3333333);
 }
 
-TEST_F(MapIo, VtsIsNumberedFromOne) {
-  EXPECT_THAT(read_vts(folder_.write("a.vts", "1\n10\n3\n3"), 10), ElementsAre(0, 9, 2, 2));
-  EXPECT_THROW(read_vts(folder_.write("a.vts", "0\n"), 10), BadFile);
-  EXPECT_THROW(read_vts(folder_.write("a.vts", "1\n11\n"), 10), BadFile);
-  EXPECT_THROW(read_vts(folder_.write("a.vts", "1 2\n"), 10), BadFile);
-  EXPECT_THROW(read_vts(folder_.write("a.vts", "\n"), 10), BadFile);
+TEST_F(MapText, VtsIsNumberedFromOne) {
+  EXPECT_THAT(read_vertex_list(folder_.write("a.vts", "1\n10\n3\n3"), 10), ElementsAre(0, 9, 2, 2));
+  EXPECT_THROW(read_vertex_list(folder_.write("a.vts", "0\n"), 10), BadFile);
+  EXPECT_THROW(read_vertex_list(folder_.write("a.vts", "1\n11\n"), 10), BadFile);
+  EXPECT_THROW(read_vertex_list(folder_.write("a.vts", "1 2\n"), 10), BadFile);
+  EXPECT_THROW(read_vertex_list(folder_.write("a.vts", "\n"), 10), BadFile);
+  EXPECT_THAT(read_vertex_list(folder_.write("a.txt", "1\n10\n"), 10, Numbering::kFromOne),
+              ElementsAre(0, 9));
 }
 
-TEST_F(MapIo, MapSurvivesRoundTrip) {
+TEST_F(MapText, MapSurvivesRoundTrip) {
   const VertexMap map{3, kUnmatched, 0, 9};
-  write_source_to_target(folder_.path("map.txt"), map);
+  write_map(folder_.path("map.txt"), {.source_to_target = map});
   EXPECT_EQ(test::read_file(folder_.path("map.txt")), "3\n-1\n0\n9\n");
-  EXPECT_EQ(read_source_to_target(folder_.path("map.txt"), {4, 10}), map);
+  EXPECT_EQ(read_map(folder_.path("map.txt"), kChecks).source_to_target, map);
 }
 
-TEST_F(MapIo, CorrespondenceSurvivesRoundTrip) {
+TEST_F(MapText, CorrespondenceSurvivesRoundTrip) {
   const Correspondence matches{{0, 9}, {2, 1}, {2, 5}};
   const std::vector<double> d_iso{0.1, 0, 1.0 / 3};
   write_correspondence(folder_.path("pairs.txt"), matches, d_iso);
   EXPECT_EQ(test::read_file(folder_.path("pairs.txt")), "0 9 0.1\n2 1 0\n2 5 0.3333333333333333\n");
-  EXPECT_EQ(read_correspondence(folder_.path("pairs.txt"), {4, 10}), matches);
+  EXPECT_EQ(read_matches(folder_.path("pairs.txt"), kChecks).matches, matches);
 }
 
-TEST_F(MapIo, PointsSurviveRoundTrip) {
+TEST_F(MapText, PointsSurviveRoundTrip) {
   test::Random random(1);
   SurfaceMap map{{}, {3, {0.1, 0.2, 0.7}}};
   for (int i = 0; i < 100; ++i) {
@@ -208,21 +216,21 @@ TEST_F(MapIo, PointsSurviveRoundTrip) {
     map.push_back({random.index(7), {a, b, 1 - a - b}});
   }
   const std::string path = folder_.path("map.bary.txt");
-  write_surface_map(path, map);
+  write_map(path, {.points = map});
   EXPECT_THAT(test::read_file(path), testing::StartsWith("-1 0 0 0\n3 0.1 0.2 0.7\n"));
-  EXPECT_EQ(read_surface_map(path, {102, 7}), map);
+  EXPECT_EQ(read_map(path, {102, 10, 7}).points, map);
 }
 
-TEST_F(MapIo, VtsSurvivesRoundTrip) {
-  write_vts(folder_.path("a.vts"), {4, 0, 9});
-  EXPECT_THAT(read_vts(folder_.path("a.vts"), 10), ElementsAre(4, 0, 9));
+TEST_F(MapText, VtsSurvivesRoundTrip) {
+  write_map(folder_.path("a.vts"), {.source_to_target = {4, 0, 9}});
+  EXPECT_THAT(read_vertex_list(folder_.path("a.vts"), 10), ElementsAre(4, 0, 9));
 }
 
-TEST_F(MapIo, FailedWriteLeavesNothing) {
+TEST_F(MapText, FailedWriteLeavesNothing) {
   const std::vector<double> too_short{0.5};
   EXPECT_THROW(write_correspondence(folder_.path("pairs.txt"), {{0, 1}, {1, 2}}, too_short),
                InvalidInput);
-  EXPECT_THROW(write_vts(folder_.path("absent/a.vts"), {1}), BadFile);
+  EXPECT_THROW(write_map(folder_.path("absent/a.vts"), {.source_to_target = {1}}), BadFile);
   EXPECT_THAT(folder_.names(), ElementsAre());
 }
 
