@@ -28,7 +28,7 @@ std::optional<TruthEvaluation> evaluate_truth(const Shape& source, const Shape& 
   return result;
 }
 
-Json to_json(const ErrorStatistics& errors) {
+Json errors_json(const ErrorStatistics& errors) {
   return {{"mean", errors.mean},
           {"median", errors.median},
           {"p95", errors.p95},
@@ -36,12 +36,12 @@ Json to_json(const ErrorStatistics& errors) {
           {"samples", errors.samples}};
 }
 
-Json to_json(const TruthEvaluation& truth) {
+Json truth_json(const TruthEvaluation& truth) {
   Json json = {{"template_points", truth.points_in_files},
                {"template_points_on_surfaces", truth.points},
-               {"error_over_sqrt_area", to_json(truth.template_errors)}};
-  if (truth.point_errors) json["point_error_over_sqrt_area"] = to_json(*truth.point_errors);
-  json["d_grd_over_max_geodesic"] = to_json(truth.match_errors);
+               {"error_over_sqrt_area", errors_json(truth.template_errors)}};
+  if (truth.point_errors) json["point_error_over_sqrt_area"] = errors_json(*truth.point_errors);
+  json["d_grd_over_max_geodesic"] = errors_json(truth.match_errors);
   return json;
 }
 
@@ -108,9 +108,9 @@ Json to_json(const Evaluation& evaluation) {
                  {"preserved_share", evaluation.orientation.preserved_share},
                  {"mean_sign", evaluation.orientation.mean_sign},
                  {"votes", evaluation.orientation.votes}}}};
-  if (evaluation.truth) json["ground_truth"] = to_json(*evaluation.truth);
+  if (evaluation.truth) json["ground_truth"] = truth_json(*evaluation.truth);
   if (evaluation.symmetric_truth) {
-    json["symmetric_ground_truth"] = to_json(*evaluation.symmetric_truth);
+    json["symmetric_ground_truth"] = truth_json(*evaluation.symmetric_truth);
     json["flipped"] = evaluation.flipped();
   }
   return json;

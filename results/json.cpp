@@ -11,7 +11,7 @@
 namespace isomatch::results {
 namespace {
 
-Json to_json(const Connectivity& connectivity) {
+Json connectivity_json(const Connectivity& connectivity) {
   const std::optional<int> genus = connectivity.genus();
   return {{"vertices", connectivity.vertices},
           {"edges", connectivity.edges},
@@ -103,8 +103,8 @@ Json to_json(const MeshDiagnosis& diagnosis) {
           {"not_finite_vertices", diagnosis.not_finite_vertices},
           {"stray_vertices", diagnosis.stray_vertices},
           {"near_seam_vertices", diagnosis.near_seam_vertices},
-          {"given", to_json(diagnosis.given)},
-          {"surface", to_json(diagnosis.surface)},
+          {"given", connectivity_json(diagnosis.given)},
+          {"surface", connectivity_json(diagnosis.surface)},
           {"components", diagnosis.components},
           {"joined_edges", diagnosis.joined_edges},
           {"matchable_vertices", diagnosis.matchable_vertices},
