@@ -13,7 +13,7 @@
 #include "isomatch/error.h"
 #include "isomatch/io/material_libraries.h"
 #include "isomatch/io/model_io.h"
-#include "results/folder/input_files.h"
+#include "results/files/input_files.h"
 
 namespace py = pybind11;
 
@@ -31,7 +31,7 @@ VertexColors to_colors(const py::array& rows) {
 
 /// Other formats have no room for what is to be written.
 void check_ending(const std::string& path, const std::string& ending) {
-  if (cli::lower_ending(path) != ending)
+  if (results::lower_ending(path) != ending)
     throw BadFile(path, "must be a file named " + ending + " here");
 }
 

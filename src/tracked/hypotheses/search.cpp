@@ -15,7 +15,7 @@
 namespace isomatch::tracked {
 namespace {
 
-constexpr const char* kStage = "hypotheses";
+constexpr const char* kHypothesesStage = "hypotheses";
 
 /// The tips, then evenly spread nodes.
 NodeDirections landmarks_of(const Proxy& proxy, const std::vector<int>& tips, int count) {
@@ -215,14 +215,14 @@ std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& targe
   std::vector<LandmarkMap> maps = grow_in_stages(
       seeds_between(source, target, tips, seeds, static_cast<int>(options.landmarks.size())), from,
       onto, options, context);
-  context.report(kGrown, kStage);
+  context.report(kGrown, kHypothesesStage);
   if (!maps.empty()) {
     const auto symmetries = near_symmetries(target, onto, tips.target, options, context);
-    context.report(kSymmetric, kStage);
+    context.report(kSymmetric, kHypothesesStage);
     std::ranges::move(twins_of(maps, symmetries, from, onto, options, context),
                       std::back_inserter(maps));
   }
-  context.report(1, kStage);
+  context.report(1, kHypothesesStage);
   if (options.growth.orientation && source.oriented && target.oriented) drop_mirrored(maps);
   select(maps, onto, options.fine.max_maps, options);
   std::vector<Hypothesis> hypotheses;

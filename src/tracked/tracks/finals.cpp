@@ -28,14 +28,14 @@ std::vector<Track> ranked(std::vector<Track> tracks, const Options& options) {
   return different;
 }
 
-constexpr const char* kStage = "refinement";
+constexpr const char* kRefinementStage = "refinement";
 
 /// `step` of each of the first so many, in parallel.
 template <class Start, class Step>
 std::vector<Track> all_tracks(const std::vector<Start>& starts, int most, const Context& context,
                               const Step& step) {
   const int count = std::min(static_cast<int>(starts.size()), most);
-  Steps steps(context, kStage, 0, 1, count);
+  Steps steps(context, kRefinementStage, 0, 1, count);
   std::vector<std::optional<Track>> made(count);
   parallel_for(count, context, [&](std::ptrdiff_t i) {
     made[i].emplace(step(starts[i]));
@@ -101,7 +101,7 @@ Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, cons
     finals.tracks.erase(finals.tracks.begin() + options.different_maps, finals.tracks.end());
   context.check_stop();
   if (options.rounds == 0) return finals;
-  Steps steps(context, kStage, kFine, 1, static_cast<int>(finals.tracks.size()));
+  Steps steps(context, kRefinementStage, kFine, 1, static_cast<int>(finals.tracks.size()));
   for (Track& track : finals.tracks) {
     settle_with_reverse(track, tracking, target, options, context);
     steps.take();
