@@ -18,96 +18,94 @@ namespace isomatch::tracked {
 namespace {
 
 /// With a detail of a part of the vertices.
-Pyramid small_model(const Mesh& mesh) {
-  Options options;
-  options.detail_vertices = 800;
-  options.proxy = {.vertices = 500, .nodes = 150};
-  return make_pyramid(extract_surface(mesh), false, options, {});
+Pyramid small_pyramid(const Mesh& mesh) {
+  const PyramidOptions options{.detail_vertices = 800, .proxy = {.vertices = 500, .nodes = 150}};
+  return make_pyramid(PreparedShape(mesh, {}), false, options, {});
 }
 
-elastic::Deformation deformation_of(const Pyramid& model) {
-  NodeGraph graph = node_graph(model.proxy, model.proxy.num_nodes());
+elastic::Deformation deformation_of(const Pyramid& pyramid) {
+  NodeGraph graph = node_graph(pyramid.proxy, pyramid.proxy.num_nodes());
   return {std::move(graph.cloud.positions), std::move(graph.neighbours)};
 }
 
-DeformedSurface transferred(const Pyramid& model, const elastic::Deformation& deformation) {
-  return transfer(model, deformation, node_graph(model.proxy, deformation.size()).cloud.features,
-                  {});
+DeformedSurface carried(const Pyramid& pyramid, const elastic::Deformation& deformation) {
+  return deformed_surface(pyramid, deformation,
+                          node_graph(pyramid.proxy, deformation.size()).cloud.features, {});
 }
 
-TEST(Transfer, CarriesARigidMotionExactly) {
-  const Pyramid model = small_model(synthesize({.vertices = 2000, .pose = 1}).mesh);
+TEST(DeformedSurface, CarriesARigidMotionExactly) {
+  const Pyramid pyramid = small_pyramid(synthesize({.vertices = 2000, .pose = 1}).mesh);
   test::Random random(1);
   for (int trial = 0; trial < 3; ++trial) {
     const Eigen::Matrix3d rotation = random.rotation();
     const Point shift = random.direction();
-    elastic::Deformation deformation = deformation_of(model);
+    elastic::Deformation deformation = deformation_of(pyramid);
     std::vector<Point> moved = deformation.rest();
     for (Point& p : moved) p = rotation * p + shift;
     deformation.set_positions(moved);
     for (int i = 0; i < 50; ++i) deformation.fit_rotations(0);
-    const DeformedSurface result = transferred(model, deformation);
-    ASSERT_EQ(result.positions.size(), model.surface.mesh.num_vertices());
-    for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
-      const Point expected = rotation * model.surface.mesh.vertices[v] + shift;
+    const DeformedSurface result = carried(pyramid, deformation);
+    ASSERT_EQ(result.positions.size(), pyramid.surface->mesh.num_vertices());
+    for (int v = 0; v < pyramid.surface->mesh.num_vertices(); ++v) {
+      const Point expected = rotation * pyramid.surface->mesh.vertices[v] + shift;
       EXPECT_LT((result.positions[v] - expected).norm(), 1e-5);
-      EXPECT_LT((result.normals[v] - rotation * model.surface.normals[v]).norm(), 1e-4);
+      EXPECT_LT((result.normals[v] - rotation * pyramid.surface->normals[v]).norm(), 1e-4);
     }
   }
 }
 
-TEST(Transfer, OfAProxyIsThatOfItsVertices) {
-  const Pyramid model = small_model(synthesize({.vertices = 2000, .pose = 1}).mesh);
-  elastic::Deformation deformation = deformation_of(model);
+TEST(DeformedSurface, OfAProxyIsThatOfItsVertices) {
+  const Pyramid pyramid = small_pyramid(synthesize({.vertices = 2000, .pose = 1}).mesh);
+  elastic::Deformation deformation = deformation_of(pyramid);
   std::vector<Point> bent = deformation.rest();
   for (Point& p : bent) p = Point(p.x() + 0.3 * p.y() * p.y(), p.y(), p.z());
   deformation.set_positions(bent);
   for (int i = 0; i < 20; ++i) deformation.fit_rotations(0);
-  const auto features = node_graph(model.proxy, deformation.size()).cloud.features;
-  const DeformedSurface result = transfer(model.proxy, deformation, features);
-  ASSERT_EQ(result.positions.size(), model.proxy.num_vertices());
-  ASSERT_EQ(result.features.size(), model.proxy.num_vertices());
+  const auto features = node_graph(pyramid.proxy, deformation.size()).cloud.features;
+  const DeformedSurface result = deformed_surface(pyramid.proxy, deformation, features);
+  ASSERT_EQ(result.positions.size(), pyramid.proxy.num_vertices());
+  ASSERT_EQ(result.features.size(), pyramid.proxy.num_vertices());
   double sum = 0;
-  for (int v = 0; v < model.proxy.num_vertices(); ++v) {
-    const Point& p = model.proxy.mesh.vertices[v];
+  for (int v = 0; v < pyramid.proxy.num_vertices(); ++v) {
+    const Point& p = pyramid.proxy.mesh.vertices[v];
     sum += (result.positions[v] - Point(p.x() + 0.3 * p.y() * p.y(), p.y(), p.z())).norm();
     EXPECT_NEAR(result.normals[v].norm(), 1, 1e-9);
   }
-  EXPECT_LT(sum / model.proxy.num_vertices(), 0.01);
+  EXPECT_LT(sum / pyramid.proxy.num_vertices(), 0.01);
 }
 
-TEST(Transfer, OfTheRestPoseChangesNothing) {
-  const Pyramid model = small_model(test::torus(60, 30));
-  const DeformedSurface result = transferred(model, deformation_of(model));
-  ASSERT_EQ(result.features.size(), model.detail.mesh.num_vertices());
-  for (int v = 0; v < model.surface.mesh.num_vertices(); ++v) {
-    EXPECT_LT((result.positions[v] - model.surface.mesh.vertices[v]).norm(), 1e-12);
-    EXPECT_LT((result.normals[v] - model.surface.normals[v]).norm(), 1e-12);
+TEST(DeformedSurface, OfTheRestPoseChangesNothing) {
+  const Pyramid pyramid = small_pyramid(test::torus(60, 30));
+  const DeformedSurface result = carried(pyramid, deformation_of(pyramid));
+  ASSERT_EQ(result.features.size(), pyramid.detail.mesh.num_vertices());
+  for (int v = 0; v < pyramid.surface->mesh.num_vertices(); ++v) {
+    EXPECT_LT((result.positions[v] - pyramid.surface->mesh.vertices[v]).norm(), 1e-12);
+    EXPECT_LT((result.normals[v] - pyramid.surface->normals[v]).norm(), 1e-12);
   }
 }
 
-TEST(Transfer, FollowsASmoothBend) {
-  const Pyramid model = small_model(test::sheet(40, 40));
+TEST(DeformedSurface, FollowsASmoothBend) {
+  const Pyramid pyramid = small_pyramid(test::sheet(40, 40));
   const auto rolled = [](const Point& p) {
     return Point(std::sin(p.x()), p.y(), 1 - std::cos(p.x()));
   };
-  elastic::Deformation deformation = deformation_of(model);
+  elastic::Deformation deformation = deformation_of(pyramid);
   std::vector<Point> positions = deformation.rest();
   for (Point& p : positions) p = rolled(p);
   deformation.set_positions(positions);
   for (int i = 0; i < 50; ++i) deformation.fit_rotations(0);
-  const DeformedSurface result = transferred(model, deformation);
-  for (int v = 0; v < model.surface.mesh.num_vertices(); ++v)
-    EXPECT_LT((result.positions[v] - rolled(model.surface.mesh.vertices[v])).norm(), 0.01);
+  const DeformedSurface result = carried(pyramid, deformation);
+  for (int v = 0; v < pyramid.surface->mesh.num_vertices(); ++v)
+    EXPECT_LT((result.positions[v] - rolled(pyramid.surface->mesh.vertices[v])).norm(), 0.01);
 }
 
-TEST(Transfer, OfTinyMeshes) {
+TEST(DeformedSurface, OfTinyMeshes) {
   const Mesh triangle{{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
   for (const Mesh& mesh : {triangle, test::tetrahedron()}) {
-    const Pyramid model = small_model(mesh);
-    const DeformedSurface result = transferred(model, deformation_of(model));
-    for (int v = 0; v < model.surface.mesh.num_vertices(); ++v)
-      EXPECT_LT((result.positions[v] - model.surface.mesh.vertices[v]).norm(), 1e-9);
+    const Pyramid pyramid = small_pyramid(mesh);
+    const DeformedSurface result = carried(pyramid, deformation_of(pyramid));
+    for (int v = 0; v < pyramid.surface->mesh.num_vertices(); ++v)
+      EXPECT_LT((result.positions[v] - pyramid.surface->mesh.vertices[v]).norm(), 1e-9);
   }
 }
 
