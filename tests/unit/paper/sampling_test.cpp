@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/methods/sampling.h"
+#include "paper/sampling.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/context.h"
+#include "support/metric_surface.h"
 #include "support/random.h"
 #include "support/rough_meshes.h"
 #include "support/shapes.h"
@@ -23,17 +24,18 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// A shape with the distances between all vertices and a random order of saliency.
 struct MeasuredShape {
   explicit MeasuredShape(const Mesh& mesh, std::uint64_t seed)
-      : shape(prepare_shape(mesh)), order(test::Random(seed).permutation(shape.num_vertices())) {
+      : shape(test::metric_surface(mesh)),
+        order(test::Random(seed).permutation(shape.num_vertices())) {
     std::vector<int> vertices(shape.num_vertices());
     std::iota(vertices.begin(), vertices.end(), 0);
-    fields = geodesic_fields(shape.graph, vertices);
+    fields = geodesic_fields(shape.graph(), vertices);
   }
 
   float distance(int from, int to) const {
     return fields[static_cast<std::size_t>(from) * shape.num_vertices() + to];
   }
 
-  Shape shape;
+  MetricSurface shape;
   std::vector<int> order;
   std::vector<float> fields;
 };
@@ -62,7 +64,7 @@ std::vector<int> plainly_sampled(const MeasuredShape& measured, std::span<const 
 double area_of_patch(const MeasuredShape& measured, int base, float radius) {
   double area = 0;
   for (int v = 0; v < measured.shape.num_vertices(); ++v) {
-    if (measured.distance(base, v) <= radius) area += measured.shape.vertex_areas[v];
+    if (measured.distance(base, v) <= radius) area += measured.shape.vertex_areas()[v];
   }
   return area;
 }
@@ -73,7 +75,7 @@ void expect_sampled(const MeasuredShape& measured, const BaseSampling& sampling,
   double largest = 0;
   for (int base : sampling.bases)
     largest = std::max(largest, area_of_patch(measured, base, sampling.radius));
-  EXPECT_NEAR(sampling.largest_patch_area, largest, 1e-12 * measured.shape.surface.area);
+  EXPECT_NEAR(sampling.largest_patch_area, largest, 1e-12);
 }
 
 /// Smallest distance between two of `bases` as from the earlier one.
@@ -101,7 +103,7 @@ TEST(SampleBases, IsThatOfThePlainAlgorithmOnEveryLevel) {
   for (const MeasuredShape& measured : measured_shapes()) {
     std::vector<int> inherited;
     for (const double share : {0.5, 0.3, 0.2, 0.1, 0.05}) {
-      const float radius = static_cast<float>(share * measured.shape.max_geodesic);
+      const float radius = static_cast<float>(share * measured.shape.max_geodesic());
       const BaseSampling sampling = sample_bases(measured.shape, measured.order, inherited, radius);
       EXPECT_EQ(sampling.radius, radius);
       expect_sampled(measured, sampling, inherited);
@@ -112,7 +114,7 @@ TEST(SampleBases, IsThatOfThePlainAlgorithmOnEveryLevel) {
 
 TEST(SampleBases, SpreadsOverTheSurfaceEvenly) {
   for (const MeasuredShape& measured : measured_shapes()) {
-    const float radius = static_cast<float>(0.15 * measured.shape.max_geodesic);
+    const float radius = static_cast<float>(0.15 * measured.shape.max_geodesic());
     const BaseSampling sampling = sample_bases(measured.shape, measured.order, {}, radius);
     EXPECT_GT(sampling.bases.size(), 10);
     EXPECT_GT(least_distance(measured, sampling.bases), radius);
@@ -123,7 +125,8 @@ TEST(SampleBases, SpreadsOverTheSurfaceEvenly) {
 TEST(SampleBases, StartsFromTheInheritedBasesAndFollowsTheOrder) {
   const MeasuredShape measured(test::rough_sphere(3, 0.1, 4), 4);
   const std::vector<int> inherited{measured.order.back(), measured.order[100]};
-  const auto radius = static_cast<float>(0.3 / measured.shape.unit);
+  // .3 on a sphere of radius 1, whose area is 4 pi.
+  const auto radius = static_cast<float>(0.3 / measured.shape.surface().scale);
   const BaseSampling sampling = sample_bases(measured.shape, measured.order, inherited, radius);
   ASSERT_GT(sampling.bases.size(), 10);
   EXPECT_TRUE(std::equal(inherited.begin(), inherited.end(), sampling.bases.begin()));
@@ -136,10 +139,10 @@ TEST(SampleBases, EndsAtEveryVertexInOrder) {
   const MeasuredShape measured(test::icosphere(2), 5);
   const BaseSampling all = sample_bases(measured.shape, measured.order, {}, 1e-3f);
   EXPECT_EQ(all.bases, measured.order);
-  EXPECT_EQ(all.largest_patch_area, *std::ranges::max_element(measured.shape.vertex_areas));
+  EXPECT_EQ(all.largest_patch_area, *std::ranges::max_element(measured.shape.vertex_areas()));
   const BaseSampling one = sample_bases(measured.shape, measured.order, {}, 100);
   EXPECT_EQ(one.bases, std::vector{measured.order.front()});
-  EXPECT_NEAR(one.largest_patch_area, measured.shape.surface.area, 1e-12);
+  EXPECT_NEAR(one.largest_patch_area, 1, 1e-12);
 }
 
 /// Farthest point sampling on the table of distances.
@@ -168,10 +171,10 @@ TEST(FarthestPoints, AreThoseOfThePlainAlgorithm) {
   for (const MeasuredShape& measured : measured_shapes()) {
     const std::vector<int> some(measured.order.begin(), measured.order.begin() + 60);
     for (const int count : {1, 2, 20, 60, 1000}) {
-      EXPECT_EQ(farthest_points(measured.shape.graph, some, count),
+      EXPECT_EQ(farthest_points(measured.shape.graph(), some, count),
                 plainly_farthest(measured, some, count));
     }
-    EXPECT_EQ(farthest_points(measured.shape.graph, measured.order, 40),
+    EXPECT_EQ(farthest_points(measured.shape.graph(), measured.order, 40),
               plainly_farthest(measured, measured.order, 40));
   }
 }
@@ -217,7 +220,7 @@ TEST(BaseNeighbourhoods, HoldTheDistancesUpToTheCutoff) {
   for (const MeasuredShape& measured : measured_shapes()) {
     const std::vector<int> bases(measured.order.begin(), measured.order.begin() + 50);
     for (const float share : {0.f, 0.1f, 0.4f, 2.f}) {
-      const float cutoff = share * static_cast<float>(measured.shape.max_geodesic);
+      const float cutoff = share * static_cast<float>(measured.shape.max_geodesic());
       expect_measured(measured, bases, BaseNeighbourhoods(measured.shape, bases, cutoff));
     }
     expect_measured(measured, bases,

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "isomatch/mesh/connectivity.h"
-#include "isomatch/mesh/surface.h"
 #include "isomatch/mesh/topology.h"
+#include "shape/extraction.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 #include "support/zoo.h"
@@ -22,7 +22,7 @@
 namespace isomatch {
 namespace {
 
-void expect_whole_sphere(const Surface& surface) {
+void expect_whole_sphere(const ExtractedSurface& surface) {
   EXPECT_EQ(surface.num_vertices(), 162);
   EXPECT_EQ(surface.mesh.num_faces(), 320);
   const Connectivity counts = connectivity(surface.mesh);
@@ -35,13 +35,13 @@ TEST(Seams, ChartsBecomeOneSphere) {
 }
 
 TEST(Seams, LooseTrianglesBecomeOneSphere) {
-  const Surface surface = extract_surface(test::soup(test::icosphere(2)));
+  const ExtractedSurface surface = extract_surface(test::soup(test::icosphere(2)));
   expect_whole_sphere(surface);
   EXPECT_EQ(surface.joined_edges, 480);
 }
 
 TEST(Seams, SplitMeridianCloses) {
-  const Surface surface = extract_surface(test::uv_sphere(16, 8));
+  const ExtractedSurface surface = extract_surface(test::uv_sphere(16, 8));
   EXPECT_EQ(surface.num_vertices(), 16 * 7 + 2);
   EXPECT_EQ(connectivity(surface.mesh).genus(), 0);
   EXPECT_EQ(connectivity(surface.mesh).boundary_edges, 0);
@@ -49,7 +49,7 @@ TEST(Seams, SplitMeridianCloses) {
 
 TEST(Seams, TheLowestOfJoinedVerticesStandsForAll) {
   const Mesh soup = test::soup(test::icosphere(1));
-  const Surface surface = extract_surface(soup);
+  const ExtractedSurface surface = extract_surface(soup);
   for (int v = 0; v < soup.num_vertices(); ++v) {
     const auto first = std::ranges::find(soup.vertices, soup.vertices[v]);
     EXPECT_EQ(surface.input_vertex[surface.surface_vertex[v]], first - soup.vertices.begin());
@@ -77,13 +77,13 @@ TEST(Seams, SlitInASheetCloses) {
   mesh.vertices.push_back(mesh.vertices[middle]);
   for (int f = 0; f < mesh.num_faces() / 2; ++f) std::ranges::replace(mesh.faces[f], middle, copy);
   ASSERT_EQ(connectivity(mesh).boundary_loops, 2);
-  const Surface surface = extract_surface(mesh);
+  const ExtractedSurface surface = extract_surface(mesh);
   EXPECT_EQ(surface.joined_edges, 2);
   EXPECT_EQ(connectivity(surface.mesh), connectivity(test::sheet(4, 4)));
 }
 
 TEST(Seams, TouchingInAPointDoesNotJoin) {
-  const Surface surface = extract_surface(test::sheets_touching_in_a_point());
+  const ExtractedSurface surface = extract_surface(test::sheets_touching_in_a_point());
   EXPECT_EQ(surface.joined_edges, 0);
   EXPECT_EQ(surface.components, 2);
 }
@@ -92,20 +92,20 @@ TEST(Seams, BorderOnAnInnerEdgeDoesNotJoin) {
   // A wall stands on the middle line of a floor with which it shares positions but no vertices.
   Mesh wall = test::sheet(4, 4);
   for (Point& p : wall.vertices) p = Point(p.x(), 0.5, p.y());
-  const Surface surface = extract_surface(test::combined(test::sheet(4, 4), wall));
+  const ExtractedSurface surface = extract_surface(test::combined(test::sheet(4, 4), wall));
   EXPECT_EQ(surface.joined_edges, 0);
   EXPECT_EQ(surface.components, 2);
 }
 
 TEST(Seams, ThreeBordersAtOnePlaceStayOpen) {
-  const Surface surface = extract_surface(test::three_sheets_on_a_line());
+  const ExtractedSurface surface = extract_surface(test::three_sheets_on_a_line());
   EXPECT_EQ(surface.joined_edges, 0);
   EXPECT_EQ(surface.components, 3);
   EXPECT_EQ(surface.num_vertices(), 25);
 }
 
 TEST(Seams, SheetAndItsCopyStayApart) {
-  const Surface surface = extract_surface(test::two_sided_sheet());
+  const ExtractedSurface surface = extract_surface(test::two_sided_sheet());
   EXPECT_EQ(surface.joined_edges, 0);
   EXPECT_EQ(surface.num_vertices(), 25);
   for (int v : surface.input_vertex) EXPECT_LT(v, 25);
@@ -113,14 +113,14 @@ TEST(Seams, SheetAndItsCopyStayApart) {
 
 TEST(Seams, MeshGivenTwiceIsOneSphereAndACopy) {
   const Mesh charts = test::sphere_of_charts();
-  const Surface surface = extract_surface(test::combined(charts, charts));
+  const ExtractedSurface surface = extract_surface(test::combined(charts, charts));
   expect_whole_sphere(surface);
   for (int v : surface.input_vertex) EXPECT_LT(v, charts.num_vertices());
 }
 
 TEST(Seams, LooseTrianglesGivenTwiceAreOneSphereAndCopies) {
   const Mesh soup = test::soup(test::icosphere(2));
-  const Surface surface = extract_surface(test::combined(soup, soup));
+  const ExtractedSurface surface = extract_surface(test::combined(soup, soup));
   expect_whole_sphere(surface);
   EXPECT_EQ(surface.components, 1 + 320);
 }
@@ -131,7 +131,7 @@ TEST(Seams, NoJoinThatMakesAnEdgeOfFourFaces) {
   const Point c(0, 0, 0), a(1, 0, 0), b(0, 1, 0), d(1, 1, 0), m(0.6, 0.6, 0);
   const Mesh front{{c, a, b, d}, {{0, 1, 2}, {1, 3, 2}}};
   const Mesh back{{c, a, b, d, m}, {{0, 1, 2}, {1, 3, 4}, {3, 2, 4}, {2, 1, 4}}};
-  const Surface surface = extract_surface(test::combined(front, back));
+  const ExtractedSurface surface = extract_surface(test::combined(front, back));
   EXPECT_EQ(surface.joined_edges, 0);
   EXPECT_EQ(surface.components, 2);
 }
@@ -155,7 +155,7 @@ Mesh random_tangle(test::Random& random) {
 }
 
 /// The edges of more than two faces that consist of more than one edge of the input.
-int new_nonmanifold_edges(const Mesh& input, const Surface& surface) {
+int new_nonmanifold_edges(const Mesh& input, const ExtractedSurface& surface) {
   int count = 0;
   for_each_edge(sorted_edge_sides(surface.mesh), [&](std::span<const EdgeSide> sides) {
     std::set<std::pair<int, int>> input_edges;
@@ -173,7 +173,7 @@ TEST(Seams, TanglesGetNoNewNonManifoldEdgesAndNoEqualFaces) {
   int joined = 0;
   for (int i = 0; i < 3000; ++i) {
     const Mesh input = random_tangle(random);
-    const Surface surface = extract_surface(input);
+    const ExtractedSurface surface = extract_surface(input);
     joined += surface.joined_edges;
     EXPECT_EQ(new_nonmanifold_edges(input, surface), 0) << "tangle " << i;
     std::set<std::set<int>> faces;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/methods/patch_matching.h"
+#include "paper/patch_matching.h"
 
 #include <gtest/gtest.h>
 

@@ -22,10 +22,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Fit fit_between(const Mesh& source, const Mesh& target, const SurfaceMap& input_map,
+Fit fit_between(const Mesh& source, const Mesh& target, const SurfaceMap& map,
                 const FitOptions& options = {}) {
-  const Surface from = extract_surface(source), onto = extract_surface(target);
-  return judge_fit(from, onto, surface_map(from, onto, input_map), options);
+  return judge_fit(Shape(source), Shape(target), map, options);
 }
 
 /// Each vertex of `a` goes to the vertex of `b` whose place at rest is nearest to its own, or to
@@ -124,11 +123,9 @@ TEST_F(Fits, ExchangedEndsAreNoticed) {
 
 TEST_F(Fits, DoNotDependOnUnitsNorThreads) {
   const SurfaceMap map = true_map(source_, target_);
-  const Surface from = extract_surface(scaled(source_.mesh, 1e-30));
-  const Surface onto = extract_surface(scaled(target_.mesh, 1e20));
-  const SurfaceMap between = surface_map(from, onto, map);
-  const FitMeasures one = judge_fit(from, onto, between, {}, with_threads(1)).measures;
-  const FitMeasures three = judge_fit(from, onto, between, {}, with_threads(3)).measures;
+  const Shape from(scaled(source_.mesh, 1e-30)), onto(scaled(target_.mesh, 1e20));
+  const FitMeasures one = judge_fit(from, onto, map, {}, with_threads(1)).measures;
+  const FitMeasures three = judge_fit(from, onto, map, {}, with_threads(3)).measures;
   const FitMeasures plain = judged(map).measures;
   EXPECT_EQ(one.stretch, three.stretch);
   EXPECT_EQ(one.displacement, three.displacement);
@@ -152,9 +149,9 @@ TEST(FitOfSheets, WhatIsFlatHasNoRelief) {
 }
 
 TEST(FitErrors, AMapOfAnotherMeshIsRefused) {
-  const Surface sphere = extract_surface(icosphere(2)), small = extract_surface(icosphere(1));
-  EXPECT_THROW(judge_fit(sphere, sphere, identity_map(small.mesh)), InvalidInput);
-  EXPECT_THROW(judge_fit(sphere, small, identity_map(sphere.mesh)), InvalidInput);
+  const Shape sphere(icosphere(2)), small(icosphere(1));
+  EXPECT_THROW(judge_fit(sphere, sphere, identity_map(small.mesh())), InvalidInput);
+  EXPECT_THROW(judge_fit(sphere, small, identity_map(sphere.mesh())), InvalidInput);
 }
 
 }  // namespace

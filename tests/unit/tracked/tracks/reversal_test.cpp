@@ -15,8 +15,8 @@ namespace {
 
 Options small_options() {
   Options options;
-  options.proxy = {.vertices = 1000, .nodes = 300, .measured_nodes = 200};
-  options.middle_nodes = 200;
+  options.pyramid.proxy = {.vertices = 1000, .nodes = 300, .measured_nodes = 200};
+  options.pyramid.middle_nodes = 200;
   return options;
 }
 
@@ -25,36 +25,38 @@ class ReversalTest : public testing::Test {
  protected:
   /// A pose, and for each vertex of its surface the place in the pose that all have in common.
   struct Posed {
-    Pyramid model;
+    Pyramid pyramid;
     std::vector<Point> rest;
 
     const Point& rest_of_node(int node) const {
-      return rest[model.proxy.detail_vertex[model.proxy.nodes[node]]];
+      return rest[pyramid.proxy.detail_vertex[pyramid.proxy.nodes[node]]];
     }
   };
 
   Posed posed(int pose) const {
     const SynthShape shape = synthesize({.vertices = 1500, .pose = pose});
-    const Surface surface = extract_surface(shape.mesh);
-    return {make_pyramid(surface, false, options_, {}), selected(shape.rest, surface.input_vertex)};
+    const PreparedShape prepared(shape.mesh, {});
+    return {make_pyramid(prepared, false, options_.pyramid, {}),
+            selected(shape.rest, prepared.surface()->input_vertex)};
   }
 
   /// Where a node of the source belongs.
   static const Point& true_place(const Posed& source, const Posed& target, int node) {
-    return target.model.surface.mesh.vertices[nearest(target.rest, source.rest_of_node(node))];
+    return target.pyramid.surface->mesh.vertices[nearest(target.rest, source.rest_of_node(node))];
   }
 
   /// A track after some rounds from the true map on.
   Track track(const Posed& source, const Posed& target, int rounds) const {
     std::vector<int> vertices;
-    for (int i = 0; i < source.model.fine.size(); ++i)
-      vertices.push_back(nearest(target.model.proxy.mesh.vertices, true_place(source, target, i)));
-    return Refinement(target.model, options_)
-        .fine_rounds({{}, 0, &source.model}, vertices, options_.rounds - rounds);
+    for (int i = 0; i < source.pyramid.fine.size(); ++i)
+      vertices.push_back(
+          nearest(target.pyramid.proxy.mesh.vertices, true_place(source, target, i)));
+    return Refinement(target.pyramid, options_)
+        .fine_rounds({{}, 0, &source.pyramid}, vertices, options_.rounds - rounds);
   }
 
   void settle(Track& track, const Posed& target) const {
-    settle_with_reverse(track, Refinement(target.model, options_), target.model, options_);
+    settle_with_reverse(track, Refinement(target.pyramid, options_), target.pyramid, options_);
   }
 
   static int nearest(const std::vector<Point>& points, const Point& place) {
@@ -95,13 +97,14 @@ TEST_F(ReversalTest, KeepsLandmarks) {
   const Posed source = posed(1), target = posed(2);
   Options options = options_;
   for (const int vertex : {3, 500, 1200})
-    options.landmarks.push_back({vertex, nearest(target.rest, source.rest[vertex])});
+    options.landmarks->push_back({vertex, nearest(target.rest, source.rest[vertex])});
   Track track = this->track(source, target, 4);
-  settle_with_reverse(track, Refinement(target.model, options), target.model, options);
-  for (const auto& [s, t] : options.landmarks) {
-    const int node = nearest_node(source.model, s, track.deformation.size());
-    EXPECT_LT((track.deformation.positions()[node] - target.model.surface.mesh.vertices[t]).norm(),
-              0.05);
+  settle_with_reverse(track, Refinement(target.pyramid, options), target.pyramid, options);
+  for (const auto& [s, t] : *options.landmarks) {
+    const int node = nearest_node(source.pyramid, s, track.deformation.size());
+    EXPECT_LT(
+        (track.deformation.positions()[node] - target.pyramid.surface->mesh.vertices[t]).norm(),
+        0.05);
   }
 }
 

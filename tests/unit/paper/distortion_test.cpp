@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/methods/distortion.h"
+#include "paper/distortion.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "isomatch/error.h"
+#include "isomatch/methods/paper.h"
 #include "support/context.h"
+#include "support/metric_surface.h"
 #include "support/random.h"
 #include "support/rough_meshes.h"
 #include "support/shapes.h"
@@ -23,8 +25,8 @@ constexpr double kFloat = 1e-6;
 
 /// Two shapes, some vertices of each as rows, and a list of matches between rows.
 struct Pair {
-  Shape source = prepare_shape(test::rough_sphere(3, 0.2, 1));
-  Shape target = prepare_shape(test::rough_sphere(3, 0.1, 2));
+  MetricSurface source = test::metric_surface(test::rough_sphere(3, 0.2, 1));
+  MetricSurface target = test::metric_surface(test::rough_sphere(3, 0.1, 2));
   std::vector<int> source_rows = test::Random(3).permutation(source.num_vertices());
   std::vector<int> target_rows = test::Random(4).permutation(target.num_vertices());
   Correspondence list;
@@ -39,7 +41,7 @@ struct Pair {
 
   /// Equation 2 for the match of two rows, its own source left out of the list.
   double plain_distortion(int source_row, int target_row) const {
-    GeodesicSearch source_search(source.graph), target_search(target.graph);
+    GeodesicSearch source_search(source.graph()), target_search(target.graph());
     double sum = 0;
     int count = 0;
     for (const Match& match : list) {
@@ -48,7 +50,7 @@ struct Pair {
           source_search.distance(source_rows[match.source], source_rows[source_row]);
       const double g_target =
           target_search.distance(target_rows[match.target], target_rows[target_row]);
-      sum += std::abs(g_source / source.max_geodesic - g_target / target.max_geodesic);
+      sum += std::abs(g_source / source.max_geodesic() - g_target / target.max_geodesic());
       ++count;
     }
     return count == 0 ? 0 : sum / count;
@@ -93,7 +95,7 @@ TEST(MatchDistortion, IsZeroAgainstAnEmptyList) {
 }
 
 TEST(MatchDistortion, IsZeroForTheIdentityAndThenOnly) {
-  const Shape shape = prepare_shape(test::rough_sphere(3, 0.2, 6));
+  const MetricSurface shape = test::metric_surface(test::rough_sphere(3, 0.2, 6));
   std::vector<int> rows(shape.num_vertices());
   std::iota(rows.begin(), rows.end(), 0);
   Correspondence list;
@@ -136,15 +138,15 @@ TEST(MatchDistortion, CapacityOfTheStoresAndThreadsChangeNothing) {
 }
 
 /// `source`'s field over the largest distance.
-std::vector<float> plain_field(const Shape& shape, int source) {
+std::vector<float> plain_field(const MetricSurface& shape, int source) {
   std::vector<float> field(shape.num_vertices());
-  GeodesicSearch(shape.graph).field(source, field);
-  for (float& distance : field) distance *= static_cast<float>(1 / shape.max_geodesic);
+  GeodesicSearch(shape.graph()).field(source, field);
+  for (float& distance : field) distance *= static_cast<float>(1 / shape.max_geodesic());
   return field;
 }
 
 TEST(FieldStore, GivesNormalizedFieldsWhateverItStillHolds) {
-  const Shape shape = prepare_shape(test::jittered_torus(24, 12, 0.3, 1));
+  const MetricSurface shape = test::metric_surface(test::jittered_torus(24, 12, 0.3, 1));
   FieldStore store(shape, 4);
   EXPECT_EQ(&store.shape(), &shape);
   test::Random random(1);
@@ -160,7 +162,7 @@ TEST(FieldStore, GivesNormalizedFieldsWhateverItStillHolds) {
 }
 
 TEST(FieldStore, ReachesOneAtTheFarthestVertex) {
-  const Shape shape = prepare_shape(test::icosphere(3));
+  const MetricSurface shape = test::metric_surface(test::icosphere(3));
   FieldStore store(shape);
   const std::vector<int> sources{0, 100, 641};
   for (const auto& field : store.fields(sources)) {
@@ -171,7 +173,7 @@ TEST(FieldStore, ReachesOneAtTheFarthestVertex) {
 }
 
 TEST(LandmarkDistances, HaveARowAVertexAndAColumnALandmark) {
-  const Shape shape = prepare_shape(test::icosphere(2));
+  const MetricSurface shape = test::metric_surface(test::icosphere(2));
   FieldStore store(shape);
   const std::vector<int> rows{5, 80, 5}, landmarks{7, 5, 7, 161};
   const LandmarkDistances distances(store, rows, landmarks);

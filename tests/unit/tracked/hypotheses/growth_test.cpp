@@ -100,8 +100,8 @@ class GrowthTest : public testing::Test {
   }
 
   static int input_vertex(const Prepared& prepared, int node) {
-    return prepared.shape.surface
-        .input_vertex[prepared.proxy.detail_vertex[prepared.proxy.nodes[node]]];
+    const int vertex = prepared.proxy.detail_vertex[prepared.proxy.nodes[node]];
+    return prepared.surface.input_vertex[vertex];
   }
 
   const Mesh mesh_ = synthesize({.vertices = 1000, .pose = 3}).mesh;

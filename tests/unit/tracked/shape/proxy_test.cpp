@@ -39,13 +39,12 @@ void expect_subset(const Prepared& prepared) {
   ASSERT_EQ(proxy.detail_vertex.size(), proxy.mesh.vertices.size());
   EXPECT_EQ(std::set<int>(proxy.detail_vertex.begin(), proxy.detail_vertex.end()).size(),
             proxy.mesh.vertices.size());
-  const double scale = std::sqrt(shape.surface.area);
-  const auto& original = shape.surface.mesh.vertices;
+  const auto& original = shape.mesh().vertices;
   for (int v = 0; v < proxy.num_vertices(); ++v) {
-    ASSERT_LT(proxy.detail_vertex[v], shape.num_vertices());
-    const Point offset = scale * (proxy.mesh.vertices[v] - proxy.mesh.vertices[0]);
-    const Point expected = original[proxy.detail_vertex[v]] - original[proxy.detail_vertex[0]];
-    EXPECT_LT((offset - expected).norm(), 1e-9 * scale);
+    ASSERT_LT(proxy.detail_vertex[v], surface.num_vertices());
+    const Point place = surface.scale * proxy.mesh.vertices[v] + surface.centre;
+    const Point& expected = original[surface.input_vertex[proxy.detail_vertex[v]]];
+    EXPECT_LT((place - expected).norm(), 1e-9 * surface.scale);
   }
 }
 

@@ -20,6 +20,10 @@
 #include "isomatch/error.h"
 #include "isomatch/io/mesh_io.h"
 #include "isomatch/mesh/synth.h"
+#include "paper/saliency.h"
+#include "paper/sampling.h"
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
 #include "support/context.h"
 #include "support/data.h"
 #include "support/random.h"
@@ -66,17 +70,43 @@ void expect_covering(const PaperResult& result) {
   }
 }
 
+/// The lowest vertex of the mesh at each vertex of the surface.
+std::set<int> lowest_copies(const Shape& shape) {
+  std::set<int> lowest;
+  for (int v = 0; v < shape.num_vertices(); ++v)
+    if (shape.on_surface(v)) lowest.insert(shape.copies(v).front());
+  return lowest;
+}
+
+void expect_every_vertex_once(const std::vector<int>& bases, const Shape& shape) {
+  EXPECT_EQ(std::ssize(bases), shape.num_surface_vertices());
+  EXPECT_EQ(std::set<int>(bases.begin(), bases.end()), lowest_copies(shape));
+}
+
+/// That all vertices have an image, copies at a seam the same, but those off the surface.
+void expect_total(const VertexMap& map, const Shape& source, const Shape& target) {
+  ASSERT_EQ(std::ssize(map), source.num_vertices());
+  for (int v = 0; v < source.num_vertices(); ++v) {
+    ASSERT_EQ(map[v] != kUnmatched, source.on_surface(v));
+    if (map[v] == kUnmatched) continue;
+    EXPECT_EQ(map[v], map[source.copies(v).front()]);
+    EXPECT_EQ(map[v], target.copies(map[v]).front());
+  }
+}
+
 /// That the last level has every vertex of both shapes once.
 void expect_complete(const PaperResult& result, const Shape& source, const Shape& target) {
   EXPECT_TRUE(result.complete);
-  EXPECT_EQ(result.levels.back().source_bases, source.num_vertices());
-  EXPECT_EQ(result.levels.back().target_bases, target.num_vertices());
-  EXPECT_EQ(std::set<int>(result.source_bases.begin(), result.source_bases.end()),
-            first_numbers(source.num_vertices()));
-  EXPECT_EQ(std::set<int>(result.target_bases.begin(), result.target_bases.end()),
-            first_numbers(target.num_vertices()));
-  EXPECT_EQ(result.source_bases.size(), source.num_vertices());
-  EXPECT_EQ(result.target_bases.size(), target.num_vertices());
+  EXPECT_EQ(result.levels.back().source_bases, source.num_surface_vertices());
+  EXPECT_EQ(result.levels.back().target_bases, target.num_surface_vertices());
+  expect_every_vertex_once(result.source_bases, source);
+  expect_every_vertex_once(result.target_bases, target);
+  expect_total(result.source_to_target, source, target);
+}
+
+/// The base vertices in the numbers of the surface.
+std::vector<int> surface_bases(const Shape& shape, std::span<const int> bases) {
+  return *on_surface(*shape.prepared().surface(), bases, "base");
 }
 
 /// Two poses of one creature, matched once for all tests.
@@ -84,8 +114,8 @@ class PaperPoses : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     creatures_ = {synthesize({"creature", 1000, 1, 1}), synthesize({"creature", 1000, 2, 1})};
-    source_.emplace(prepare_shape(creatures_[0].mesh));
-    target_.emplace(prepare_shape(creatures_[1].mesh));
+    source_.emplace(creatures_[0].mesh);
+    target_.emplace(creatures_[1].mesh);
     result_ = match_paper(*source_, *target_);
   }
   static void TearDownTestSuite() {
@@ -95,10 +125,13 @@ class PaperPoses : public testing::Test {
     result_ = {};
   }
 
-  static std::span<const int> source_bases(int level) {
-    return {result_.source_bases.data(),
-            static_cast<std::size_t>(result_.levels[level].source_bases)};
+  /// In the numbers of the surface.
+  static std::vector<int> source_bases(int level) {
+    const auto count = static_cast<std::size_t>(result_.levels[level].source_bases);
+    return surface_bases(*source_, {result_.source_bases.data(), count});
   }
+
+  static MetricSurface source_surface() { return source_->prepared().metric({}); }
 
   static std::array<SynthShape, 2> creatures_;
   static std::optional<Shape> source_, target_;
@@ -125,17 +158,20 @@ TEST_F(PaperPoses, BeginWithFewExtremitiesAndNestTheirBases) {
 }
 
 TEST_F(PaperPoses, LeaveNoVertexOutsideThePatchesOfALevel) {
-  GeodesicSearch search(source_->graph);
+  const MetricSurface surface = source_surface();
+  GeodesicSearch search(surface.graph());
   for (std::size_t k = 0; k < result_.levels.size(); ++k) {
     const SourcePartition nearest = search.nearest_source(source_bases(static_cast<int>(k)));
-    EXPECT_LE(std::ranges::max(nearest.distances) * source_->unit, result_.levels[k].source_radius);
+    // Up to the rounding of the units.
+    EXPECT_LE(std::ranges::max(nearest.distances) * std::sqrt(source_->area()),
+              result_.levels[k].source_radius * (1 + 1e-12));
   }
 }
 
 TEST_F(PaperPoses, AreMatchedAlikeInUnitsBeyondTheRangeOf32Bits) {
   for (const double unit : {std::exp2(-200), std::exp2(200)}) {
-    const Shape source = prepare_shape(test::scaled(creatures_[0].mesh, unit));
-    const Shape target = prepare_shape(test::scaled(creatures_[1].mesh, 1 / unit));
+    const Shape source(test::scaled(creatures_[0].mesh, unit));
+    const Shape target(test::scaled(creatures_[1].mesh, 1 / unit));
     const PaperResult result = match_paper(source, target);
     EXPECT_EQ(result.source_to_target, result_.source_to_target);
     EXPECT_DOUBLE_EQ(result.levels[1].source_radius, unit * result_.levels[1].source_radius);
@@ -144,16 +180,17 @@ TEST_F(PaperPoses, AreMatchedAlikeInUnitsBeyondTheRangeOf32Bits) {
 
 TEST_F(PaperPoses, ShrinkTheRadiusByTheRule) {
   const RadiusOptions options;
+  const double unit = std::sqrt(source_->area());
   for (std::size_t k = 1; k < result_.levels.size(); ++k) {
-    const double previous = result_.levels[k - 1].source_radius / source_->unit;
-    const BaseSampling sampling = sample_bases(*source_, {}, source_bases(static_cast<int>(k) - 1),
-                                               static_cast<float>(previous));
+    const double previous = result_.levels[k - 1].source_radius / unit;
+    const BaseSampling sampling = sample_bases(
+        source_surface(), {}, source_bases(static_cast<int>(k) - 1), static_cast<float>(previous));
     const double rule =
         options.radius_factor * std::sqrt(sampling.largest_patch_area / std::numbers::pi);
     const bool full =
         result_.levels[k - 1].source_bases >= options.full_share * source_->num_vertices();
     const double expected = full ? 0 : std::min(rule, options.max_radius_ratio * previous);
-    EXPECT_NEAR(result_.levels[k].source_radius / source_->unit, expected, 1e-6 * expected);
+    EXPECT_NEAR(result_.levels[k].source_radius / unit, expected, 1e-6 * expected);
     EXPECT_LT(result_.levels[k].source_radius, result_.levels[k - 1].source_radius);
     EXPECT_LT(result_.levels[k].target_radius, result_.levels[k - 1].target_radius);
   }
@@ -165,14 +202,16 @@ class PlainDistortion {
  public:
   PlainDistortion(const Shape& source, const Shape& target, const PaperResult& result, int level,
                   const std::vector<int>& landmarks)
-      : result_(result), matches_(result.levels[level].matches) {
+      : source_bases_(surface_bases(source, result.source_bases)),
+        target_bases_(surface_bases(target, result.target_bases)),
+        matches_(result.levels[level].matches) {
     const std::vector<int>& primary = result.levels[level].many_to_one;
     for (int s : landmarks) {
       const auto own = std::ranges::equal_range(matches_, s, {}, &Match::source);
       const bool kept = std::ranges::find(own, Match{s, primary[s]}) != own.end();
       list_.push_back({s, kept ? primary[s] : own.front().target});
-      source_fields_.push_back(normalized_field(source, result.source_bases[s]));
-      target_fields_.push_back(normalized_field(target, result.target_bases[list_.back().target]));
+      source_fields_.push_back(normalized_field(source, source_bases_[s]));
+      target_fields_.push_back(normalized_field(target, target_bases_[list_.back().target]));
     }
   }
 
@@ -188,10 +227,11 @@ class PlainDistortion {
 
  private:
   static std::vector<double> normalized_field(const Shape& shape, int vertex) {
-    std::vector<float> field(shape.num_vertices());
-    GeodesicSearch(shape.graph).field(vertex, field);
+    const MetricSurface surface = shape.prepared().metric({});
+    std::vector<float> field(surface.num_vertices());
+    GeodesicSearch(surface.graph()).field(vertex, field);
     std::vector<double> normalized(field.begin(), field.end());
-    for (double& distance : normalized) distance /= shape.max_geodesic;
+    for (double& distance : normalized) distance /= surface.max_geodesic();
     return normalized;
   }
 
@@ -200,14 +240,14 @@ class PlainDistortion {
     int count = 0;
     for (std::size_t e = 0; e < list_.size(); ++e) {
       if (list_[e].source == match.source) continue;
-      sum += std::abs(source_fields_[e][result_.source_bases[match.source]] -
-                      target_fields_[e][result_.target_bases[match.target]]);
+      sum += std::abs(source_fields_[e][source_bases_[match.source]] -
+                      target_fields_[e][target_bases_[match.target]]);
       ++count;
     }
     return sum / count;
   }
 
-  const PaperResult& result_;
+  std::vector<int> source_bases_, target_bases_;
   const Correspondence& matches_;
   Correspondence list_;
   std::vector<std::vector<double>> source_fields_, target_fields_;
@@ -215,10 +255,11 @@ class PlainDistortion {
 
 TEST_F(PaperPoses, ReportTheDistortionOfEquationsOneAndTwo) {
   const int list_size = PaperOptions{}.list_size;
+  const MetricSurface surface = source_surface();
   std::vector<int> landmarks;
   for (int k = 0; k < static_cast<int>(result_.levels.size()); ++k) {
     if (static_cast<int>(landmarks.size()) < list_size)
-      landmarks = farthest_points(source_->graph, source_bases(std::max(0, k - 1)), list_size);
+      landmarks = farthest_points(surface.graph(), source_bases(std::max(0, k - 1)), list_size);
     const DistortionSummary plain =
         PlainDistortion(*source_, *target_, result_, k, landmarks).summary();
     // Equal up to the choice among several matches of a landmark, which lie next to each other.
@@ -239,13 +280,13 @@ TEST_F(PaperPoses, AreMatchedToWithinAnEdgeUpToTheFlip) {
   double direct = 0, flipped = 0;
   const Correspondence& matches = result_.levels.back().matches;
   for (const auto& [s, t] : matches) {
-    Point from = creatures_[0].rest[source_->surface.input_vertex[result_.source_bases[s]]];
-    const Point& to = creatures_[1].rest[target_->surface.input_vertex[result_.target_bases[t]]];
+    Point from = creatures_[0].rest[result_.source_bases[s]];
+    const Point& to = creatures_[1].rest[result_.target_bases[t]];
     direct += (from - to).norm() / static_cast<double>(matches.size());
     from.x() = -from.x();
     flipped += (from - to).norm() / static_cast<double>(matches.size());
   }
-  EXPECT_LT(std::min(direct, flipped), source_->unit * source_->graph.mean_edge_length());
+  EXPECT_LT(std::min(direct, flipped), GeodesicGraph(source_->mesh()).mean_edge_length());
 }
 
 bool equal(const PaperLevel& a, const PaperLevel& b) {
@@ -259,8 +300,7 @@ bool equal(const PaperLevel& a, const PaperLevel& b) {
 TEST(Paper, ThreadsChangeNothing) {
   const auto matched = [](int threads) {
     const Context context = test::with_threads(threads);
-    const Shape source = prepare_shape(creature(1000, 1, 2), {}, context);
-    const Shape target = prepare_shape(creature(1000, 2, 2), {}, context);
+    const Shape source(creature(1000, 1, 2)), target(creature(1000, 2, 2));
     return match_paper(source, target, {}, context);
   };
   const PaperResult one = matched(1), two = matched(2);
@@ -270,8 +310,7 @@ TEST(Paper, ThreadsChangeNothing) {
 }
 
 TEST(Paper, EndsAfterTheLevelsWanted) {
-  const Shape source = prepare_shape(creature(1000, 1, 3));
-  const Shape target = prepare_shape(creature(1000, 2, 3));
+  const Shape source(creature(1000, 1, 3)), target(creature(1000, 2, 3));
   PaperOptions options;
   options.coarse_candidates = 1;
   options.max_levels = 3;
@@ -288,19 +327,21 @@ TEST(Paper, EndsAfterTheLevelsWanted) {
 }
 
 TEST(Paper, MatchesShapesOfAnyKind) {
-  const Shape sphere = prepare_shape(test::icosphere(2));
+  const Shape sphere(test::icosphere(2));
   for (const test::ZooMesh& zoo_mesh : test::mesh_zoo()) {
     SCOPED_TRACE(zoo_mesh.name);
-    const Shape shape = prepare_shape(zoo_mesh.mesh);
-    const PaperResult result = match_paper(shape, sphere);
-    expect_covering(result);
-    expect_complete(result, shape, sphere);
+    const Shape shape(zoo_mesh.mesh);
+    for (const auto& [source, target] : {std::pair{&shape, &sphere}, {&sphere, &shape}}) {
+      const PaperResult result = match_paper(*source, *target);
+      expect_covering(result);
+      expect_complete(result, *source, *target);
+    }
   }
 }
 
 TEST(Paper, MatchesASingleTriangle) {
-  const Shape triangle = prepare_shape({{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}});
-  const Shape sphere = prepare_shape(test::icosphere(1));
+  const Shape triangle(Mesh{{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}});
+  const Shape sphere(test::icosphere(1));
   for (const auto& [source, target] :
        {std::pair{&triangle, &triangle}, {&triangle, &sphere}, {&sphere, &triangle}}) {
     const PaperResult result = match_paper(*source, *target);
@@ -309,14 +350,12 @@ TEST(Paper, MatchesASingleTriangle) {
   }
 }
 
-/// Of the matches of the last level, in vertices of the input, those that `target_of_source` does
-/// not have.
-Correspondence wrong_matches(const Shape& source, const Shape& target, const PaperResult& result,
-                             const std::vector<int>& target_of_source) {
+/// Of the matches of the last level those that `target_of_source` does not have.
+Correspondence wrong_matches(const PaperResult& result, const std::vector<int>& target_of_source) {
   Correspondence wrong;
   for (const auto& [s, t] : result.levels.back().matches) {
-    const int from = source.surface.input_vertex[result.source_bases[s]];
-    const int to = target.surface.input_vertex[result.target_bases[t]];
+    const int from = result.source_bases[s];
+    const int to = result.target_bases[t];
     if (target_of_source[from] != to) wrong.push_back({from, to});
   }
   return wrong;
@@ -324,10 +363,11 @@ Correspondence wrong_matches(const Shape& source, const Shape& target, const Pap
 
 /// That `mesh` is matched to `copy`, which has new numbers for its vertices, without an error.
 void expect_found_again(const Mesh& mesh, const Mesh& copy, const std::vector<int>& new_vertex) {
-  const Shape source = prepare_shape(mesh), target = prepare_shape(copy);
+  const Shape source(mesh), target(copy);
   const PaperResult result = match_paper(source, target);
   expect_complete(result, source, target);
-  EXPECT_EQ(wrong_matches(source, target, result, new_vertex), Correspondence{});
+  EXPECT_EQ(wrong_matches(result, new_vertex), Correspondence{});
+  EXPECT_EQ(result.source_to_target, new_vertex);
 }
 
 void expect_identity(const Mesh& mesh) {
@@ -370,7 +410,7 @@ INSTANTIATE_TEST_SUITE_P(Animals, PaperData, testing::Values("horse0", "centaur0
 
 template <class Change>
 void expect_rejected(const Change& change) {
-  static const Shape sphere = prepare_shape(test::icosphere(0));
+  static const Shape sphere(test::icosphere(0));
   PaperOptions options;
   change(options);
   EXPECT_THROW(options.validate(), InvalidInput);
@@ -401,7 +441,7 @@ TEST(PaperOptions, OutOfRangeAreRejected) {
 }
 
 TEST(Paper, StopsWhenAsked) {
-  const Shape sphere = prepare_shape(test::icosphere(1));
+  const Shape sphere(test::icosphere(1));
   std::stop_source stop;
   stop.request_stop();
   Context context;

@@ -15,8 +15,9 @@ namespace {
 
 class DetailOfASphere : public testing::Test {
  protected:
-  Surface surface_ = unit_surface(extract_surface(test::icosphere(5)));
-  Detail detail_ = make_detail(surface_, 1000, {});
+  const PreparedShape shape_{test::icosphere(5), {}};
+  const Surface& surface_ = *shape_.surface();
+  const Detail detail_ = make_detail(shape_, surface_, 1000, {});
 };
 
 TEST_F(DetailOfASphere, HasItsRelief) {
@@ -43,8 +44,9 @@ TEST_F(DetailOfASphere, ThreadsChangeNothing) {
 }
 
 TEST(Detail, OfASmallSurfaceIsTheSurface) {
-  const Surface surface = unit_surface(extract_surface(test::rough_sphere(3, 0.2, 1)));
-  const Detail detail = make_detail(surface, surface.mesh.num_vertices(), {});
+  const PreparedShape shape(test::rough_sphere(3, 0.2, 1), {});
+  const Surface& surface = *shape.surface();
+  const Detail detail = make_detail(shape, surface, surface.num_vertices(), {});
   EXPECT_EQ(detail.mesh.vertices, surface.mesh.vertices);
   const std::vector<int> anchor = anchors(surface, detail, {});
   for (int v = 0; v < surface.mesh.num_vertices(); ++v) EXPECT_EQ(anchor[v], v);

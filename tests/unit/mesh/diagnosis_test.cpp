@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "isomatch/error.h"
-#include "isomatch/mesh/surface.h"
+#include "shape/inspection.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 #include "support/zoo.h"
@@ -230,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(All, DiagnosisZoo, ::testing::ValuesIn(test::mesh_zoo()
 
 TEST_P(DiagnosisZoo, AgreesWithExtraction) {
   const MeshDiagnosis diagnosis = diagnose(GetParam().mesh);
-  const Surface surface = extract_surface(GetParam().mesh);
+  const ExtractedSurface surface = extract_surface(GetParam().mesh);
   EXPECT_EQ(diagnosis.surface, connectivity(surface.mesh));
   EXPECT_EQ(diagnosis.surface.components, 1);
   EXPECT_EQ(diagnosis.components, surface.components);

@@ -20,10 +20,9 @@ namespace {
 
 /// The orientation of the map that keeps vertex numbers.
 MapOrientation orientation_between(const Mesh& source, const Mesh& target) {
-  const Shape a = prepare_shape(source), b = prepare_shape(target);
   Correspondence matches;
   for (int v = 0; v < source.num_vertices(); ++v) matches.push_back({v, v});
-  return map_orientation(a, b, surface_matches(a.surface, b.surface, matches));
+  return map_orientation(Shape(source), Shape(target), matches);
 }
 
 Mesh inside_out(Mesh mesh) {
@@ -99,7 +98,7 @@ TEST(MapOrientation, MoebiusStripIsNotOriented) {
 }
 
 TEST(MapOrientation, CollapsedMapIsUndecided) {
-  const Shape shape = prepare_shape(test::icosphere(3));
+  const Shape shape(test::icosphere(3));
   Correspondence matches;
   for (int v = 0; v < shape.num_vertices(); ++v) matches.push_back({v, 0});
   const MapOrientation orientation = map_orientation(shape, shape, matches);
@@ -108,7 +107,7 @@ TEST(MapOrientation, CollapsedMapIsUndecided) {
 }
 
 TEST(MapOrientation, BadInputThrows) {
-  const Shape shape = prepare_shape(test::icosphere(1));
+  const Shape shape(test::icosphere(1));
   EXPECT_THROW(map_orientation(shape, shape, {{0, 42}}), InvalidInput);
   EXPECT_THROW(map_orientation(shape, shape, {{0, 0}}, {.landmarks = 2}), InvalidInput);
   EXPECT_THROW(map_orientation(shape, shape, {{0, 0}}, {.min_distance = 0}), InvalidInput);
@@ -137,33 +136,32 @@ class RealMapOrientation : public testing::TestWithParam<ShapePair> {
   }
 
   static Shape prepare(const std::string& name) {
-    return prepare_shape(read_mesh(data(GetParam().set + "/" + name + ".off")));
+    return Shape(read_mesh(data(GetParam().set + "/" + name + ".off")));
   }
 
   static std::vector<int> vts(const Shape& shape, const std::string& name) {
-    return read_ground_truth(data(GetParam().set + "/corres/" + name),
-                             static_cast<int>(shape.surface.surface_vertex.size()));
+    return read_ground_truth(data(GetParam().set + "/corres/" + name), shape.num_vertices());
   }
 
   /// The map that takes each template point to its vertex in `target_vts`.
   Correspondence truth(const std::string& target_vts) const {
     const GroundTruth points =
-        surface_truth(source_.surface, target_.surface, source_points_, vts(target_, target_vts));
+        on_surfaces(source_, target_, {source_points_, vts(target_, target_vts)});
     VertexMap source_to_target(source_.num_vertices(), kUnmatched);
     for (int i = 0; i < points.size(); ++i) source_to_target[points.source[i]] = points.target[i];
     return to_correspondence(source_to_target);
   }
 
-  Shape source_ = prepare_shape(test::icosphere(0));
-  Shape target_ = prepare_shape(test::icosphere(0));
+  Shape source_{test::icosphere(0)}, target_{test::icosphere(0)};
   std::vector<int> source_points_;
 };
 
 /// Every match to a random vertex within `radius`, relative to sqrt(area), of its target.
 Correspondence blurred(const Correspondence& matches, const Shape& target, double radius) {
   test::Random random(3);
-  GeodesicSearch search(target.graph);
-  const auto limit = static_cast<float>(radius * std::sqrt(target.surface.area));
+  const GeodesicGraph graph(target.mesh());
+  GeodesicSearch search(graph);
+  const auto limit = static_cast<float>(radius * std::sqrt(target.area()));
   Correspondence result;
   for (const auto& [s, t] : matches) {
     const auto near = search.ball(t, limit);

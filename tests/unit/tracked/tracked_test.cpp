@@ -40,18 +40,17 @@ INSTANTIATE_TEST_SUITE_P(Seeds, TrackedCreatures, testing::Values(1, 2, 3, 4));
 using TrackedPair = test::CreaturePair;
 
 TEST_F(TrackedPair, RegisteredSourceLiesOnItsPoints) {
-  const double size = std::sqrt(target_.surface.area);
+  const double size = std::sqrt(target_.area());
   EXPECT_LT(test::mean_distance(map_.registered, test::places(target_, map_.source_to_target)),
             0.01 * size);
 }
 
 TEST(Tracked, AlternativesAreOtherMaps) {
   const test::TruePair pair = test::creatures(1000, 3);
-  const Shape source = prepare_shape(pair.source), target = prepare_shape(pair.target);
-  const TrackedResult plain = match_tracked(source.surface, target.surface);
+  const Shape source(pair.source), target(pair.target);
+  const TrackedResult plain = match_tracked(source, target);
   ASSERT_EQ(plain.maps.size(), 1);
-  const TrackedResult result =
-      match_tracked(source.surface, target.surface, test::with_alternatives(3));
+  const TrackedResult result = match_tracked(source, target, test::with_alternatives(3));
   test::expect_sound(result, source, target);
   ASSERT_GE(result.maps.size(), 2);
   ASSERT_LE(result.maps.size(), 4);
@@ -60,7 +59,7 @@ TEST(Tracked, AlternativesAreOtherMaps) {
   const std::vector<Point> first = test::places(target, best);
   for (std::size_t k = 1; k < result.maps.size(); ++k) {
     const std::vector<Point> other = test::places(target, result.maps[k].source_to_target);
-    EXPECT_GT(test::mean_distance(first, other), 0.03 * std::sqrt(target.surface.area));
+    EXPECT_GT(test::mean_distance(first, other), 0.03 * std::sqrt(target.area()));
   }
 }
 
@@ -68,32 +67,26 @@ TEST_F(TrackedPair, MirrorImageIsFoundIfReflectionIsAllowed) {
   TrackedOptions options;
   options.allow_reflection = true;
   // Nothing is nearer to the mirror image of a bent shape than what it is the image of.
-  const Shape image = prepare_shape(test::mirrored(pair_.source));
-  const TrackedResult result = match_tracked(source_.surface, image.surface, options);
+  const Shape image(test::mirrored(pair_.source));
+  const TrackedResult result = match_tracked(source_, image, options);
   test::expect_sound(result, source_, image);
   EXPECT_TRUE(result.maps.front().mirrored);
-  const std::vector<Point> points =
-      test::input_places(source_, image, result.maps.front().source_to_target);
-  const Mesh expected = test::scaled(test::mirrored(pair_.source), 1 / image.unit);
-  EXPECT_LT(test::mean_distance(points, expected.vertices), 1e-3);
-  EXPECT_FALSE(match_tracked(source_.surface, target_.surface, options).maps.front().mirrored);
+  const std::vector<Point> points = test::places(image, result.maps.front().source_to_target);
+  EXPECT_LT(test::mean_distance(points, image.mesh().vertices), 1e-3 * std::sqrt(image.area()));
+  EXPECT_FALSE(match_tracked(source_, target_, options).maps.front().mirrored);
 }
 
 TEST_F(TrackedPair, LandmarksAreMatchedExactly) {
-  const auto vertex = [](const Shape& shape, int input) {
-    return shape.surface.surface_vertex[input];
-  };
   TrackedOptions options;
   for (const int point : {100, 1500, 4000})
-    options.landmarks.push_back(
-        {vertex(source_, pair_.source_truth[point]), vertex(target_, pair_.target_truth[point])});
-  const TrackedResult result = match_tracked(source_.surface, target_.surface, options);
+    options.landmarks.push_back({pair_.source_truth[point], pair_.target_truth[point]});
+  const TrackedResult result = match_tracked(source_, target_, options);
   test::expect_sound(result, source_, target_);
   EXPECT_LT(test::errors(pair_, source_, target_, result).direct, 0.025);
   const TrackedMap& map = result.maps.front();
   for (const auto& [s, t] : options.landmarks) {
-    const Point& goal = target_.surface.mesh.vertices[t];
-    EXPECT_LT((position(target_.surface.mesh, map.source_to_target[s]) - goal).norm(), 1e-12);
+    const Point& goal = pair_.target.vertices[t];
+    EXPECT_LT((position(pair_.target, map.source_to_target[s]) - goal).norm(), 1e-12);
   }
 }
 
@@ -101,7 +94,7 @@ TEST_F(TrackedPair, BadLandmarksAreRejected) {
   const auto expect_rejected = [&](const Correspondence& landmarks) {
     TrackedOptions options;
     options.landmarks = landmarks;
-    EXPECT_THROW(match_tracked(source_.surface, target_.surface, options), InvalidInput);
+    EXPECT_THROW(match_tracked(source_, target_, options), InvalidInput);
   };
   expect_rejected({{-1, 0}});
   expect_rejected({{0, -1}});
@@ -115,7 +108,7 @@ TEST_F(TrackedPair, PartsOfTheMethodMayBeLeftOut) {
                                      &TrackedOptions::refinement}) {
     TrackedOptions options;
     options.*part = false;
-    const TrackedResult result = match_tracked(source_.surface, target_.surface, options);
+    const TrackedResult result = match_tracked(source_, target_, options);
     test::expect_sound(result, source_, target_);
     EXPECT_LT(test::errors(pair_, source_, target_, result).direct, 0.06);
   }
@@ -125,7 +118,7 @@ TEST_F(TrackedPair, ProgressRises) {
   Context context;
   std::vector<double> fractions;
   context.progress = [&](double fraction, std::string_view) { fractions.push_back(fraction); };
-  match_tracked(source_.surface, target_.surface, {}, context);
+  match_tracked(source_, target_, {}, context);
   ASSERT_FALSE(fractions.empty());
   EXPECT_TRUE(std::ranges::is_sorted(fractions));
   EXPECT_GE(fractions.front(), 0);
@@ -139,7 +132,7 @@ TEST_F(TrackedPair, StopsOnTheWayWhenAsked) {
   context.progress = [&](double fraction, std::string_view) {
     if (fraction > 0.3) stop.request_stop();
   };
-  EXPECT_THROW(match_tracked(source_.surface, target_.surface, {}, context), Cancelled);
+  EXPECT_THROW(match_tracked(source_, target_, {}, context), Cancelled);
 }
 
 TEST(Tracked, MatchesACreatureToItself) {
@@ -154,20 +147,20 @@ TEST(Tracked, MatchesACreatureToItself) {
 }
 
 TEST(Tracked, StopsWhenAsked) {
-  const Shape sphere = prepare_shape(test::icosphere(2));
+  const Shape sphere(test::icosphere(2));
   std::stop_source stop;
   stop.request_stop();
   Context context;
   context.stop = stop.get_token();
-  EXPECT_THROW(match_tracked(sphere.surface, sphere.surface, {}, context), Cancelled);
+  EXPECT_THROW(match_tracked(sphere, sphere, {}, context), Cancelled);
 }
 
 TEST(TrackedOptions, OutOfRangeAreRejected) {
   EXPECT_NO_THROW(TrackedOptions{}.validate());
-  const Shape sphere = prepare_shape(test::icosphere(1));
+  const Shape sphere(test::icosphere(1));
   const TrackedOptions options = test::with_alternatives(-1);
   EXPECT_THROW(options.validate(), InvalidInput);
-  EXPECT_THROW(match_tracked(sphere.surface, sphere.surface, options), InvalidInput);
+  EXPECT_THROW(match_tracked(sphere, sphere, options), InvalidInput);
 }
 
 struct RealPair {

@@ -8,6 +8,9 @@
 
 #include "isomatch/error.h"
 #include "isomatch/measure/metrics.h"
+#include "measure/spread_matches.h"
+#include "shape/prepared_shape.h"
+#include "support/metric_surface.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
@@ -35,18 +38,19 @@ Correspondence random_matches(const Shape& source, const Shape& target, int coun
 /// Equation 2 as it stands, with xi' the whole correspondence but the match itself.
 double d_iso(const Shape& source, const Shape& target, const Correspondence& matches,
              const Match& match) {
-  GeodesicSearch on_source(source.graph), on_target(target.graph);
+  const GeodesicGraph source_graph(source.mesh()), target_graph(target.mesh());
+  GeodesicSearch on_source(source_graph), on_target(target_graph);
   double sum = 0;
   for (const auto& [s, t] : matches) {
     if (Match{s, t} == match) continue;
-    sum += std::abs(on_source.distance(s, match.source) / source.max_geodesic -
-                    on_target.distance(t, match.target) / target.max_geodesic);
+    sum += std::abs(on_source.distance(s, match.source) / source.max_geodesic() -
+                    on_target.distance(t, match.target) / target.max_geodesic());
   }
   return sum / static_cast<double>(matches.size() - 1);
 }
 
 TEST(IsometricDistortion, IdentityHasNone) {
-  const Shape shape = prepare_shape(test::rough_sphere(3, 0.2, 1));
+  const Shape shape(test::rough_sphere(3, 0.2, 1));
   const IsometricDistortion distortion = isometric_distortion(shape, shape, identity(shape));
   EXPECT_EQ(distortion.mean, 0);
   EXPECT_EQ(distortion.maximum, 0);
@@ -54,20 +58,19 @@ TEST(IsometricDistortion, IdentityHasNone) {
 
 TEST(IsometricDistortion, TurnedCylinderHasNone) {
   constexpr int kSegments = 20;
-  const Shape cylinder = prepare_shape(test::open_cylinder(kSegments, 8));
+  const Shape cylinder(test::open_cylinder(kSegments, 8));
   Correspondence turned;
   for (int v = 0; v < cylinder.num_vertices(); ++v)
     turned.push_back({v, v / kSegments * kSegments + (v + 3) % kSegments});
-  const IsometricDistortion distortion = isometric_distortion(
-      cylinder, cylinder, surface_matches(cylinder.surface, cylinder.surface, turned));
+  const IsometricDistortion distortion = isometric_distortion(cylinder, cylinder, turned);
   // Equal distances are sums of floats in another order.
   EXPECT_LT(distortion.maximum, 1e-5);
 }
 
 TEST(IsometricDistortion, EqualsEquationsOneTwoAndFour) {
   test::Random random(2);
-  const Shape source = prepare_shape(test::rough_sphere(2, 0.3, 3));
-  const Shape target = prepare_shape(test::sheet(9, 14, 2, 3));
+  const Shape source(test::rough_sphere(2, 0.3, 3));
+  const Shape target(test::sheet(9, 14, 2, 3));
   const Correspondence matches = random_matches(source, target, 120, random);
   const int all = static_cast<int>(matches.size());
   const auto distortion = isometric_distortion(source, target, matches, {.list_size = all});
@@ -85,8 +88,8 @@ TEST(IsometricDistortion, EqualsEquationsOneTwoAndFour) {
 
 TEST(IsometricDistortion, ListLongerThanOneBlockOfFieldsIsExactToo) {
   test::Random random(3);
-  const Shape source = prepare_shape(test::icosphere(2));
-  const Shape target = prepare_shape(test::torus(12, 9));
+  const Shape source(test::icosphere(2));
+  const Shape target(test::torus(12, 9));
   const Correspondence matches = random_matches(source, target, 70, random);
   const auto distortion = isometric_distortion(source, target, matches, {.list_size = 1000});
   for (std::size_t m = 0; m < matches.size(); m += 7)
@@ -95,7 +98,7 @@ TEST(IsometricDistortion, ListLongerThanOneBlockOfFieldsIsExactToo) {
 
 TEST(IsometricDistortion, ShortListIsCloseToAllMatches) {
   test::Random random(4);
-  const Shape shape = prepare_shape(test::rough_sphere(3, 0.2, 7));
+  const Shape shape(test::rough_sphere(3, 0.2, 7));
   Correspondence matches;
   for (int v = 0; v < shape.num_vertices(); ++v)
     matches.push_back({v, std::max(0, v - random.index(30))});
@@ -110,9 +113,9 @@ TEST(IsometricDistortion, ShortListIsCloseToAllMatches) {
 TEST(IsometricDistortion, ScalePositionAndNumbersDoNotMatter) {
   test::Random random(5);
   const Mesh mesh = test::rough_sphere(2, 0.3, 9), other = test::torus(12, 8);
-  const Shape source = prepare_shape(mesh), target = prepare_shape(other);
+  const Shape source(mesh), target(other);
   const auto relabelled = test::relabelled(test::scaled(test::moved(other, random), 0.3), random);
-  const Shape moved = prepare_shape(relabelled.mesh);
+  const Shape moved(relabelled.mesh);
   Correspondence input, relabelled_input;
   for (int v = 0; v < mesh.num_vertices(); ++v) {
     const int t = random.index(other.num_vertices());
@@ -120,18 +123,16 @@ TEST(IsometricDistortion, ScalePositionAndNumbersDoNotMatter) {
     relabelled_input.push_back({v, relabelled.new_vertex[t]});
   }
   const DistortionOptions all{.list_size = 1000};
-  const auto a = isometric_distortion(source, target,
-                                      surface_matches(source.surface, target.surface, input), all);
-  const auto b = isometric_distortion(
-      source, moved, surface_matches(source.surface, moved.surface, relabelled_input), all);
+  const auto a = isometric_distortion(source, target, input, all);
+  const auto b = isometric_distortion(source, moved, relabelled_input, all);
   EXPECT_NEAR(a.mean, b.mean, 1e-4);
   EXPECT_NEAR(a.maximum, b.maximum, 1e-4);
 }
 
 TEST(IsometricDistortion, ThreadsChangeNothing) {
   test::Random random(6);
-  const Shape source = prepare_shape(test::rough_sphere(3, 0.2, 1));
-  const Shape target = prepare_shape(test::torus(30, 20));
+  const Shape source(test::rough_sphere(3, 0.2, 1));
+  const Shape target(test::torus(30, 20));
   const Correspondence matches = random_matches(source, target, 3000, random);
   Context one, many;
   one.threads = 1;
@@ -142,7 +143,7 @@ TEST(IsometricDistortion, ThreadsChangeNothing) {
 }
 
 TEST(IsometricDistortion, FewMatches) {
-  const Shape sheet = prepare_shape(test::sheet(4, 4));
+  const Shape sheet(test::sheet(4, 4));
   EXPECT_EQ(isometric_distortion(sheet, sheet, {}).mean, 0);
   EXPECT_EQ(isometric_distortion(sheet, sheet, {{3, 5}}).mean, 0);
   // The list has one entry, one match is that entry, the other is measured against it.
@@ -152,15 +153,58 @@ TEST(IsometricDistortion, FewMatches) {
 }
 
 TEST(IsometricDistortion, BadInputThrows) {
-  const Shape sheet = prepare_shape(test::sheet(4, 4));
+  const Shape sheet(test::sheet(4, 4));
   EXPECT_THROW(isometric_distortion(sheet, sheet, {{0, 25}}), InvalidInput);
   EXPECT_THROW(isometric_distortion(sheet, sheet, {{-1, 0}}), InvalidInput);
-  EXPECT_THROW(isometric_distortion(sheet, sheet, {{1, 0}, {0, 0}}), InvalidInput);
   EXPECT_THROW(isometric_distortion(sheet, sheet, {{0, 0}}, {.list_size = 0}), InvalidInput);
 }
 
+TEST(IsometricDistortion, OrderAndRepetitionDoNotMatter) {
+  test::Random random(8);
+  const Shape source(test::icosphere(2)), target(test::torus(12, 9));
+  const Correspondence matches = random_matches(source, target, 60, random);
+  const auto sorted = isometric_distortion(source, target, matches);
+  Correspondence shuffled;
+  for (int place : random.permutation(static_cast<int>(matches.size())))
+    shuffled.push_back(matches[place]);
+  shuffled.push_back(shuffled.front());
+  const auto other = isometric_distortion(source, target, shuffled);
+  EXPECT_EQ(other.mean, sorted.mean);
+  EXPECT_EQ(other.maximum, sorted.maximum);
+  ASSERT_EQ(other.per_match.size(), shuffled.size());
+  for (std::size_t m = 0; m < shuffled.size(); ++m) {
+    const auto place = std::ranges::lower_bound(matches, shuffled[m]) - matches.begin();
+    EXPECT_EQ(other.per_match[m], sorted.per_match[place]);
+  }
+}
+
+TEST(IsometricDistortion, CopiesAtASeamAreOneMatchAndOthersHaveNone) {
+  const Mesh sphere = test::rough_sphere(2, 0.2, 1);
+  const Mesh charts = test::split_charts(sphere, test::octants(sphere));
+  Mesh loose = charts;
+  loose.vertices.emplace_back(9, 9, 9);
+  const Shape source(loose), target(sphere);
+  Correspondence matches;
+  for (int v = 0; v < loose.num_vertices(); ++v)
+    matches.push_back({v, v * 7 % sphere.num_vertices()});
+  for (int v = 0; v < charts.num_vertices(); ++v)
+    matches[v].target = matches[source.copies(v).front()].target;
+  Correspondence single;
+  for (const Match& match : matches)
+    if (source.on_surface(match.source) && source.copies(match.source).front() == match.source)
+      single.push_back(match);
+  ASSERT_LT(single.size(), matches.size() - 50);
+  const auto all = isometric_distortion(source, target, matches);
+  const auto once = isometric_distortion(source, target, single);
+  EXPECT_EQ(all.mean, once.mean);
+  EXPECT_EQ(all.maximum, once.maximum);
+  EXPECT_TRUE(std::isnan(all.per_match.back()));
+  for (int v = 0; v < charts.num_vertices(); ++v)
+    EXPECT_EQ(all.per_match[v], all.per_match[source.copies(v).front()]);
+}
+
 TEST(IsometricDistortion, StopIsHeeded) {
-  const Shape sheet = prepare_shape(test::sheet(4, 4));
+  const Shape sheet(test::sheet(4, 4));
   std::stop_source stop;
   stop.request_stop();
   Context context;
@@ -169,21 +213,23 @@ TEST(IsometricDistortion, StopIsHeeded) {
 }
 
 TEST(EvenlySpacedMatches, AreFarApart) {
-  const Shape sheet = prepare_shape(test::sheet(20, 20));
-  const std::vector<Match> four = evenly_spaced_matches(sheet, identity(sheet), 4);
+  const MetricSurface sheet = test::metric_surface(test::sheet(20, 20));
+  Correspondence identity;
+  for (int v = 0; v < sheet.num_vertices(); ++v) identity.push_back({v, v});
+  const std::vector<Match> four = evenly_spaced_matches(sheet, SurfaceMatches(identity), 4);
   ASSERT_EQ(four.size(), 4u);
-  // The four corners of the unit square.
+  // The four corners of the unit square, about its centre.
   for (const Match& match : four) {
-    const Point& p = sheet.surface.mesh.vertices[match.source];
-    EXPECT_NEAR(std::abs(p.x() - 0.5), 0.5, 1e-12);
-    EXPECT_NEAR(std::abs(p.y() - 0.5), 0.5, 1e-12);
+    const Point& p = sheet.mesh().vertices[match.source];
+    EXPECT_NEAR(std::abs(p.x()), 0.5, 1e-12);
+    EXPECT_NEAR(std::abs(p.y()), 0.5, 1e-12);
   }
 }
 
 TEST(EvenlySpacedMatches, TakeOneMatchOfAVertex) {
-  const Shape sheet = prepare_shape(test::sheet(3, 3));
-  const Correspondence matches{{0, 2}, {0, 3}, {5, 1}, {5, 9}, {5, 10}};
-  EXPECT_EQ(evenly_spaced_matches(sheet, matches, 5), matches);
+  const MetricSurface sheet = test::metric_surface(test::sheet(3, 3));
+  const SurfaceMatches matches(Correspondence{{0, 2}, {0, 3}, {5, 1}, {5, 9}, {5, 10}});
+  EXPECT_EQ(evenly_spaced_matches(sheet, matches, 5), *matches);
   EXPECT_THAT(evenly_spaced_matches(sheet, matches, 4),
               testing::UnorderedElementsAre(Match{0, 2}, Match{5, 1}));
 }

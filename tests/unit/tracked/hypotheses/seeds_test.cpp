@@ -30,7 +30,7 @@ namespace {
 
 /// A proxy of which only the distances between nodes are known: those of `points`.
 Proxy proxy_of(const std::vector<Point>& points) {
-  Proxy proxy{{}, {}, {}, false, {}, {}, {}, GeodesicGraph(test::icosphere(0)), {}};
+  Proxy proxy;
   const auto n = static_cast<int>(points.size());
   proxy.nodes.resize(n);
   std::iota(proxy.nodes.begin(), proxy.nodes.end(), 0);

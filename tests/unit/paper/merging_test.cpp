@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/methods/merging.h"
+#include "paper/merging.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 
 #include "isomatch/error.h"
 #include "support/context.h"
+#include "support/metric_surface.h"
 #include "support/random.h"
 #include "support/shapes.h"
 
@@ -21,17 +22,17 @@ namespace {
 /// One shape sampled on two levels and the fields of its landmarks.
 struct SampledShape {
   explicit SampledShape(const Mesh& mesh)
-      : shape(prepare_shape(mesh)), coarser(sampled(0.35, {})), fields(shape) {
+      : shape(test::metric_surface(mesh)), coarser(sampled(0.35, {})), fields(shape) {
     level.sampling = sampled(0.12, coarser.bases);
     level.neighbourhoods = {shape, level.sampling.bases, 2 * coarser.radius};
   }
 
   BaseSampling sampled(double share, const std::vector<int>& inherited) const {
     return sample_bases(shape, test::Random(1).permutation(shape.num_vertices()), inherited,
-                        static_cast<float>(share * shape.max_geodesic));
+                        static_cast<float>(share * shape.max_geodesic()));
   }
 
-  Shape shape;
+  MetricSurface shape;
   BaseSampling coarser;
   ShapeLevel level;
   FieldStore fields;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/mesh/surface.h"
+#include "shape/extraction.h"
 
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ std::vector<Face> sorted_faces(const Mesh& mesh) {
   return faces;
 }
 
-TEST(Surface, TakesTheComponentOfLargestArea) {
-  const Surface surface = extract_surface(test::three_spheres());
+TEST(ExtractedSurface, TakesTheComponentOfLargestArea) {
+  const ExtractedSurface surface = extract_surface(test::three_spheres());
   EXPECT_EQ(surface.components, 3);
   EXPECT_EQ(surface.num_vertices(), 162);
   EXPECT_EQ(surface.mesh.num_faces(), 320);
@@ -35,24 +35,24 @@ TEST(Surface, TakesTheComponentOfLargestArea) {
   for (int v = 0; v < 3 * 162; ++v) EXPECT_EQ(surface.surface_vertex[v] == kNoVertex, v / 162 != 1);
 }
 
-TEST(Surface, AreaCountsMoreThanFaces) {
+TEST(ExtractedSurface, AreaCountsMoreThanFaces) {
   // A fine small sphere has more faces than a coarse large one.
-  const Surface surface =
+  const ExtractedSurface surface =
       extract_surface(test::combined(test::icosphere(3, 1), test::scaled(test::box(1), 10)));
   EXPECT_EQ(surface.num_vertices(), 8);
   EXPECT_NEAR(surface.area, 600, 1e-9);
   EXPECT_NEAR(surface.total_area, 600 + surface_area(test::icosphere(3, 1)), 1e-9);
 }
 
-TEST(Surface, LeavesOutDegenerateFaces) {
-  const Surface surface = extract_surface(test::sphere_with_degenerate_faces());
+TEST(ExtractedSurface, LeavesOutDegenerateFaces) {
+  const ExtractedSurface surface = extract_surface(test::sphere_with_degenerate_faces());
   EXPECT_EQ(surface.degenerate_faces, 4);
   EXPECT_EQ(surface.num_vertices(), 162);
   EXPECT_EQ(surface.mesh.num_faces(), 320);
   for (int v = 162; v < 166; ++v) EXPECT_EQ(surface.surface_vertex[v], kNoVertex);
 }
 
-TEST(Surface, ZeroAreaIsFoundWhereCoordinatesRound) {
+TEST(ExtractedSurface, ZeroAreaIsFoundWhereCoordinatesRound) {
   test::Random random(11);
   for (int i = 0; i < 50; ++i) {
     const Mesh mesh = test::moved(test::sphere_with_degenerate_faces(), random);
@@ -60,7 +60,7 @@ TEST(Surface, ZeroAreaIsFoundWhereCoordinatesRound) {
   }
 }
 
-TEST(Surface, KeepsSliversOfAnyUnit) {
+TEST(ExtractedSurface, KeepsSliversOfAnyUnit) {
   // Height 1e-9 of the length: thin, but far from the rounding of its coordinates.
   for (double unit : {1e-30, 1e-6, 1.0, 1e30}) {
     const Mesh sliver{{Point(0, 0, 0), Point(unit, 0, 0), Point(unit / 2, 1e-9 * unit, 0)},
@@ -69,22 +69,22 @@ TEST(Surface, KeepsSliversOfAnyUnit) {
   }
 }
 
-TEST(Surface, KeepsTheLowestOfDuplicateFaces) {
-  const Surface surface = extract_surface(test::sphere_with_duplicate_faces());
+TEST(ExtractedSurface, KeepsTheLowestOfDuplicateFaces) {
+  const ExtractedSurface surface = extract_surface(test::sphere_with_duplicate_faces());
   EXPECT_EQ(surface.duplicate_faces, 3);
   std::set<int> kept(surface.input_face.begin(), surface.input_face.end());
   EXPECT_EQ(kept.size(), 320u);
   EXPECT_EQ(*kept.rbegin(), 319);
 }
 
-TEST(Surface, SpareCopiesAtThePolesGoWithTheSurface) {
+TEST(ExtractedSurface, SpareCopiesAtThePolesGoWithTheSurface) {
   const Mesh mesh = test::uv_sphere(16, 8);
-  const Surface surface = extract_surface(mesh);
+  const ExtractedSurface surface = extract_surface(mesh);
   EXPECT_EQ(std::ranges::count(surface.surface_vertex, kNoVertex), 0);
   for (int i = 0; i <= 16; ++i) EXPECT_EQ(surface.surface_vertex[i], surface.surface_vertex[0]);
 }
 
-TEST(Surface, RefusesMeshesWithoutSurface) {
+TEST(ExtractedSurface, RefusesMeshesWithoutSurface) {
   EXPECT_THROW(extract_surface({}), InvalidInput);
   const Mesh line{{Point(0, 0, 0), Point(1, 1, 1), Point(2, 2, 2)}, {{0, 1, 2}, {0, 0, 1}}};
   EXPECT_THROW(extract_surface(line), InvalidInput);
@@ -92,7 +92,7 @@ TEST(Surface, RefusesMeshesWithoutSurface) {
   EXPECT_THROW(extract_surface(point), InvalidInput);
 }
 
-TEST(Surface, HilbertCurveGoesFromCellToCell) {
+TEST(ExtractedSurface, HilbertCurveGoesFromCellToCell) {
   // On a full lattice of 2^k points a side the curve visits every point before it leaves its
   // neighbourhood: consecutive points are exactly one step apart.
   constexpr int kSide = 8;
@@ -111,7 +111,7 @@ TEST(Surface, HilbertCurveGoesFromCellToCell) {
   }
   // Every lattice point has a face but for those of which all neighbours are ahead.
   mesh.faces.push_back({number(0, 0, 0), number(1, 0, 0), number(0, 1, 0)});
-  const Surface surface = extract_surface(mesh);
+  const ExtractedSurface surface = extract_surface(mesh);
   ASSERT_EQ(surface.components, 1);
   int used = 0;
   for (int v = 1; v < surface.num_vertices(); ++v) {
@@ -122,12 +122,12 @@ TEST(Surface, HilbertCurveGoesFromCellToCell) {
   EXPECT_EQ(used, surface.num_vertices() - 1);
 }
 
-class SurfaceZoo : public ::testing::TestWithParam<test::ZooMesh> {};
-INSTANTIATE_TEST_SUITE_P(All, SurfaceZoo, ::testing::ValuesIn(test::mesh_zoo()));
+class ExtractedSurfaceZoo : public ::testing::TestWithParam<test::ZooMesh> {};
+INSTANTIATE_TEST_SUITE_P(All, ExtractedSurfaceZoo, ::testing::ValuesIn(test::mesh_zoo()));
 
-TEST_P(SurfaceZoo, MapsLeadThereAndBack) {
+TEST_P(ExtractedSurfaceZoo, MapsLeadThereAndBack) {
   const Mesh& input = GetParam().mesh;
-  const Surface surface = extract_surface(input);
+  const ExtractedSurface surface = extract_surface(input);
   ASSERT_EQ(surface.surface_vertex.size(), input.vertices.size());
   ASSERT_EQ(surface.input_vertex.size(), surface.mesh.vertices.size());
   ASSERT_EQ(surface.input_face.size(), surface.mesh.faces.size());
@@ -147,8 +147,8 @@ TEST_P(SurfaceZoo, MapsLeadThereAndBack) {
   }
 }
 
-TEST_P(SurfaceZoo, IsConnectedAndSound) {
-  const Surface surface = extract_surface(GetParam().mesh);
+TEST_P(ExtractedSurfaceZoo, IsConnectedAndSound) {
+  const ExtractedSurface surface = extract_surface(GetParam().mesh);
   EXPECT_NO_THROW(validate(surface.mesh));
   for (int label : vertex_components(surface.mesh)) EXPECT_EQ(label, 0);
   for (int f = 0; f < surface.mesh.num_faces(); ++f) EXPECT_GT(face_area(surface.mesh, f), 0);
@@ -159,28 +159,28 @@ TEST_P(SurfaceZoo, IsConnectedAndSound) {
   EXPECT_LE(surface.area, surface.total_area);
 }
 
-TEST_P(SurfaceZoo, IsItsOwnSurface) {
-  const Surface surface = extract_surface(GetParam().mesh);
-  const Surface again = extract_surface(surface.mesh);
+TEST_P(ExtractedSurfaceZoo, IsItsOwnSurface) {
+  const ExtractedSurface surface = extract_surface(GetParam().mesh);
+  const ExtractedSurface again = extract_surface(surface.mesh);
   EXPECT_EQ(again.num_vertices(), surface.num_vertices());
   EXPECT_EQ(again.mesh.num_faces(), surface.mesh.num_faces());
   EXPECT_EQ(again.degenerate_faces + again.duplicate_faces + again.joined_edges, 0);
 }
 
-TEST_P(SurfaceZoo, DoesNotDependOnLabels) {
+TEST_P(ExtractedSurfaceZoo, DoesNotDependOnLabels) {
   test::Random random(17);
-  const Surface surface = extract_surface(GetParam().mesh);
-  const Surface other = extract_surface(test::relabelled(GetParam().mesh, random).mesh);
+  const ExtractedSurface surface = extract_surface(GetParam().mesh);
+  const ExtractedSurface other = extract_surface(test::relabelled(GetParam().mesh, random).mesh);
   EXPECT_EQ(other.mesh.vertices, surface.mesh.vertices);
   EXPECT_EQ(sorted_faces(other.mesh), sorted_faces(surface.mesh));
   EXPECT_EQ(other.joined_edges, surface.joined_edges);
 }
 
-TEST_P(SurfaceZoo, DoesNotDependOnUnits) {
+TEST_P(ExtractedSurfaceZoo, DoesNotDependOnUnits) {
   // Powers of two scale coordinates without rounding.
-  const Surface surface = extract_surface(GetParam().mesh);
+  const ExtractedSurface surface = extract_surface(GetParam().mesh);
   for (double factor : {0x1p-100, 0x1p100}) {
-    const Surface other = extract_surface(test::scaled(GetParam().mesh, factor));
+    const ExtractedSurface other = extract_surface(test::scaled(GetParam().mesh, factor));
     EXPECT_EQ(other.mesh.faces, surface.mesh.faces);
     EXPECT_EQ(other.input_vertex, surface.input_vertex);
     EXPECT_EQ(other.area, surface.area * factor * factor);
