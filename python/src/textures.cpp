@@ -13,7 +13,7 @@
 #include "isomatch/error.h"
 #include "isomatch/io/material_libraries.h"
 #include "isomatch/io/model_io.h"
-#include "results/files/input_files.h"
+#include "results/files/outputs.h"
 
 namespace py = pybind11;
 
