@@ -26,8 +26,7 @@ class Registrar {
   }
 
   void run() {
-    constexpr int kInitialRotations = 10;
-    for (int i = 0; i < kInitialRotations; ++i)
+    for (int i = 0; i < options_.initial_rotations; ++i)
       deformation_.fit_rotations(options_.rotation_smoothness);
     const int steps = options_.anchor_steps + options_.surface_steps;
     for (int step = 0; step < steps; ++step) {
@@ -73,24 +72,19 @@ class Registrar {
   }
 
   void aim_at_feet() {
-    constexpr double kNegligible = 1e-3;
     for (int i = 0; i < deformation_.size(); ++i) {
       const bool compatible = feet_[i].normal.dot(normal(i)) >= options_.min_cosine;
       Goal& goal = goals_[i];
       goal.foot = feet_[i].position;
       goal.normal = feet_[i].normal;
-      goal.weight = cloud_.areas[i] * (compatible ? 1 : kNegligible);
-      if (options_.anchor_weight >= 0) {
-        goal.anchor_weight = cloud_.areas[i] * options_.anchor_weight;
-      } else {
-        goal.anchor = goal.foot;
-        goal.anchor_weight = -options_.anchor_weight * goal.weight;
-      }
+      goal.weight = cloud_.areas[i] * (compatible ? 1 : options_.incompatible_weight);
+      goal.anchor = goal.foot;
+      goal.anchor_weight = options_.friction * goal.weight;
     }
   }
 
   void hold_pins() {
-    constexpr double kFirm = 100;
+    constexpr double kFirm = 100;  // What all others together pull against a pin moves it little.
     for (const Pin& pin : pins_) {
       goals_[pin.point].anchor = pin.position;
       goals_[pin.point].anchor_weight = kFirm * cloud_.areas[pin.point];

@@ -10,7 +10,7 @@
 
 namespace isomatch::elastic {
 
-/// Lengths are in units of sqrt(area).
+/// Lengths are over sqrt(area). docs/results/options.md has what other numbers do.
 struct RegistrationOptions {
   /// The elastic energy weighs the square of a length that falls geometrically.
   double first_length = 0.3, last_length = 0.02;
@@ -18,12 +18,17 @@ struct RegistrationOptions {
   int anchor_steps = 5, surface_steps = 15;
   /// Alternations between projection, positions and rotations in a step.
   int iterations = 4;
-  /// Weight of the anchors in the second phase. If negative, the points slide along the surface
-  /// with this much friction instead.
-  double anchor_weight = -0.1;
+  /// How much a point that is drawn to the surface resists sliding along it, against being drawn:
+  /// without, the system may be singular.
+  double friction = 0.1;
+  /// How much the rotations of neighbours agree, against fitting the positions.
   double rotation_smoothness = 0.5;
-  /// Points whose normal deviates more from the surface's are not drawn to it.
-  double min_cosine = 0.3;
+  /// Points whose normal deviates more from the surface's, by 70 degrees, are on another side of a
+  /// thin limb. They are drawn to it with this weight only, which keeps the system regular.
+  double min_cosine = 0.3, incompatible_weight = 1e-3;
+  /// Fits of the rotations to the anchors before anything moves: rotations of neighbours spread by
+  /// a ring of points each.
+  int initial_rotations = 10;
 };
 
 struct Registration {

@@ -2,17 +2,25 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <array>
+
 #include "elastic/registration.h"
 #include "isomatch/maps/correspondence.h"
 #include "shape/numbers.h"
 
+/// Everything that the tracked method can be tuned by. Lengths are over sqrt(area). What a number
+/// does to accuracy and time when it is halved or doubled stands in docs/results/options.md, which
+/// bench/tables/options.py measures; where a comment gives no other reason, that is the reason.
 namespace isomatch::tracked {
 
 struct ProxyOptions {
-  /// Vertices of the proxy, nodes, and those of the nodes from which distances are measured, at
-  /// most.
+  /// Vertices of the proxy, at most: as many as the sets that methods are compared on have, so that
+  /// these are not simplified.
   int vertices = 5000;
+  /// Nodes of the finest level: time grows with them, error falls.
   int nodes = 1600;
+  /// Those of the nodes from which distances are measured, all kept in memory: enough that one is
+  /// within .03 of every point.
   int measured_nodes = 500;
 
   bool operator==(const ProxyOptions&) const = default;
@@ -20,29 +28,37 @@ struct ProxyOptions {
 
 /// How dense the copies of a shape are, and what is computed of them.
 struct PyramidOptions {
-  /// Of the copies of finer surfaces on which fields are computed, at most.
+  /// Of the copies of finer surfaces on which fields are computed, at most: distances on so many
+  /// are off by .07 % where those on a million vertices are by .22 %, in a fifteenth of the time.
   int detail_vertices = 40000;
   ProxyOptions proxy;
-  /// Nodes of the levels; the finest has those of the proxy.
+  /// Nodes of the levels on which hypotheses are judged, and followed at first. A limb needs some
+  /// ten to bend.
   int coarse_nodes = 200, middle_nodes = 400;
-  /// Eigenfunctions.
+  /// Eigenfunctions: the last of them oscillate over .18, the width of a limb.
   int functions = 120;
+  /// Widths of the smoothing against which relief is measured: from creases of a face to muscles.
+  std::array<double, elastic::kReliefs> relief_scales{0.015, 0.03, 0.06};
 
   bool operator==(const PyramidOptions&) const = default;
 };
 
 struct SeedOptions {
-  /// Extremities of a shape, at most.
+  /// Extremities of a shape, at most: animals have limbs, tail, ears and snout.
   int max_extremities = 10;
-  /// An extremity is farthest from everything within this distance.
+  /// An extremity is farthest from everything within this distance: the tips of fingers are .03
+  /// apart, ears .1.
   double extremity_radius = 0.1;
-  /// Distances between matched extremities differ by at most this much.
+  /// Distances between matched extremities differ by at most this much: between the shapes of one
+  /// class by up to .2.
   double max_difference = 0.3;
   /// Difference at which a pair of matches neither speaks for nor against a seed.
   double neutral_difference = 0.09;
+  /// Three fix a map up to what is symmetric to their plane.
   int min_matches = 4;
+  /// What the search keeps, and the partial matchings that it looks at: bounds of memory and time
+  /// (.1 s) that ten extremities a shape do not reach.
   int max_seeds = 2000;
-  /// Partial matchings that are looked at.
   int max_visits = 2000000;
   /// Evenly spread nodes that complete the tips of shapes that have too few of them for a seed.
   int spread_source_nodes = 6;
@@ -50,9 +66,11 @@ struct SeedOptions {
 };
 
 struct GrowthOptions {
-  /// A landmark chooses among targets whose distortion is within this of the least.
+  /// A landmark chooses among targets whose distortion is within this of the least: twice the
+  /// distortion of right maps.
   float slack = 0.03F;
-  /// Weight of orientation against distortion.
+  /// Weight of orientation against distortion: in balance where both are as large as right maps
+  /// have them.
   float orientation_weight = 0.03F;
   /// Neighbours that orientation is measured against.
   int neighbours = 6;
@@ -62,7 +80,7 @@ struct GrowthOptions {
   int fixed = 0;
 };
 
-/// A number of landmarks and how different two maps of them are before they count as two.
+/// A number of landmarks, and how many maps are kept.
 struct GrowthStage {
   int source_landmarks;
   int target_landmarks;
@@ -77,7 +95,10 @@ struct HypothesisOptions {
   /// Near-symmetries of the target, and hypotheses that they are applied to, at most.
   GrowthStage symmetry{40, 200, 8};
   int max_twinned = 4;
-  /// Maps whose landmarks differ by less than this, root mean square, are the same hypothesis.
+  /// A map of a shape onto itself that moves landmarks less than this on average is the identity.
+  float identity_move = 0.1F;
+  /// Maps whose landmarks differ by less than this, root mean square, are the same hypothesis: one
+  /// limb that goes elsewhere makes more.
   float same_difference = 0.07F;
   /// If extremities give fewer hypotheses than this, evenly spread nodes are matched as well: the
   /// right one may be missing where limbs touch, or where there are none.
@@ -86,7 +107,21 @@ struct HypothesisOptions {
   Correspondence landmarks;
 };
 
-/// Everything that the tracked method can be tuned by.
+/// How nodes that are out of place are found and moved, see `mended`.
+struct MendingOptions {
+  /// Costs beyond this multiple of the median weigh little, falling with the fourth power.
+  float tolerable = 2;
+  /// Of the cost, at most, remains where it is worth moving.
+  float max_remaining = 0.8F;
+  /// What is closer than this, rounds of refinement find by themselves.
+  float min_move = 0.1F;
+  elastic::RegistrationOptions registration{.first_length = 0.1,
+                                            .last_length = 0.05,
+                                            .anchor_steps = 4,
+                                            .surface_steps = 1,
+                                            .iterations = 3};
+};
+
 struct Options {
   PyramidOptions pyramid;
   HypothesisOptions hypotheses;
@@ -97,11 +132,22 @@ struct Options {
   int entrants = 6, finalists = 2;
   /// Choose by how well the surfaces fit, or else by the order of the hypotheses.
   bool elastic_judging = true;
+  /// What the cost of a mirror image is multiplied by: shapes that are nearly symmetric fit their
+  /// own as well as themselves.
+  double mirror_price = 1.1;
   /// Vertices of the surfaces that match.
   SurfaceMatches landmarks;
+  /// What a right hypothesis may miss a landmark by: they are coarse, and limbs stretch.
+  float landmark_slack = 0.1F;
+  /// Landmarks contradict a map that costs this many times less without them: true ones that are
+  /// off by an edge cost less than that.
+  double contradiction = 2;
+  /// How far what is around a landmark moves along, so that it arrives.
+  double landmark_reach = 0.05;
   /// As long as limbs may be matched wrongly, on the middle level, and on the fine level.
   elastic::ProjectionWeights early_projection, middle_projection{.place = 0.05},
       fine_projection{.normal = 0.05, .relief = 0.1, .place = 0.05};
+  /// Of hypotheses: stiff, since a limb that is matched wrongly must cost energy.
   elastic::RegistrationOptions judging{.first_length = 0.3,
                                        .last_length = 0.04,
                                        .anchor_steps = 3,
@@ -118,23 +164,24 @@ struct Options {
                                            .anchor_steps = 2,
                                            .surface_steps = 1,
                                            .iterations = 3};
-  /// After nodes of the middle level were moved because they were out of place.
-  elastic::RegistrationOptions mending{.first_length = 0.1,
-                                       .last_length = 0.05,
-                                       .anchor_steps = 4,
-                                       .surface_steps = 1,
-                                       .iterations = 3};
-  /// The last of the rounds, which the target does as well, onto the source; and the registration
-  /// half way between both.
+  MendingOptions mending;
+  /// The last of the rounds, which the target does as well, onto the source.
   int reverse_rounds = 3;
+  /// Where both directions disagree by more than this, one has lost a limb, and the own one counts.
+  double max_disagreement = 0.1;
+  /// The registration half way between both.
   elastic::RegistrationOptions settling{.first_length = 0.003,
                                         .last_length = 0.003,
                                         .anchor_steps = 1,
                                         .surface_steps = 0,
                                         .iterations = 3};
 
-  /// Those of the rounds that run on the middle level, a third.
+  /// Those of the rounds that run on the middle level, a third: limbs find their places there in a
+  /// quarter of the time.
   int middle_rounds() const { return rounds / 3; }
+
+  /// Throws `InvalidInput` if a number is out of range.
+  void validate() const;
 };
 
 }  // namespace isomatch::tracked

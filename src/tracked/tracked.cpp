@@ -14,6 +14,7 @@
 #include "shape/numbers.h"
 #include "shape/prepared_shape.h"
 #include "steps.h"
+#include "tracked/match.h"
 #include "tracked/tracks/dense_map.h"
 #include "tracked/tracks/finals.h"
 
@@ -21,16 +22,6 @@ namespace isomatch {
 namespace {
 
 using namespace tracked;
-
-Options options_of(const TrackedOptions& options) {
-  Options result;
-  result.elastic_judging = options.elastic_judging;
-  result.hypotheses.growth.orientation = options.orientation;
-  result.different_maps = options.alternatives + 1;
-  if (!options.elastic_judging) result.entrants = result.finalists = 1;
-  if (!options.refinement) result.rounds = 0;
-  return result;
-}
 
 /// Landmarks between the surfaces. Throws `InvalidInput` if one is out of range or not part of a
 /// surface, or a source vertex has two.
@@ -148,6 +139,16 @@ void check_found(const Candidates& candidates) {
 
 }  // namespace
 
+Options tracked::options_of(const TrackedOptions& options) {
+  Options result;
+  result.elastic_judging = options.elastic_judging;
+  result.hypotheses.growth.orientation = options.orientation;
+  result.different_maps = options.alternatives + 1;
+  if (!options.elastic_judging) result.entrants = result.finalists = 1;
+  if (!options.refinement) result.rounds = 0;
+  return result;
+}
+
 void TrackedOptions::validate() const {
   if (alternatives < 0) throw InvalidInput("alternatives must not be negative");
 }
@@ -156,12 +157,18 @@ void check_landmarks(const Shape& source, const Shape& target, const Corresponde
   checked_landmarks(*source.prepared().surface(), *target.prepared().surface(), landmarks);
 }
 
-TrackedResult match_tracked(const Shape& source, const Shape& target,
-                            const TrackedOptions& tracked_options, const Context& context) {
-  tracked_options.validate();
+TrackedResult match_tracked(const Shape& source, const Shape& target, const TrackedOptions& options,
+                            const Context& context) {
+  options.validate();
+  return match(source, target, options, options_of(options), context);
+}
+
+TrackedResult tracked::match(const Shape& source, const Shape& target,
+                             const TrackedOptions& tracked_options, Options options,
+                             const Context& context) {
+  options.validate();
   const Surface& from = *source.prepared().surface();
   const Surface& onto = *target.prepared().surface();
-  Options options = options_of(tracked_options);
   options.landmarks = checked_landmarks(from, onto, tracked_options.landmarks);
   TrackedResult result;
   const auto timed = [&](std::string_view stage, double begin, double end, const auto& work) {

@@ -82,7 +82,7 @@ Candidates judged_hypotheses(const Pyramid& source, const Pyramid& target, const
     for (Judged& free :
          found_and_judged(source, target, options.hypotheses, options, part_of(context, 0.5, 1))) {
       const bool possible = std::ranges::all_of(*options.landmarks, [&](const Match& landmark) {
-        return satisfies(free.hypothesis, landmark, source, target);
+        return satisfies(free.hypothesis, landmark, source, target, options.landmark_slack);
       });
       (possible ? candidates.possible : candidates.contradicting).push_back(std::move(free));
     }
@@ -95,9 +95,7 @@ Candidates judged_hypotheses(const Pyramid& source, const Pyramid& target, const
 }
 
 bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyramid& source,
-               const Pyramid& target) {
-  // What may be missed by a right hypothesis: they are coarse, and limbs stretch.
-  constexpr float kSlack = 0.1F;
+               const Pyramid& target, float slack) {
   const int from = nearest_node(source, vertices.source, source.proxy.num_measured());
   const int onto = nearest_node(target, vertices.target, target.proxy.num_measured());
   float nearest = std::numeric_limits<float>::infinity();
@@ -108,7 +106,7 @@ bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyrami
     nearest = distance;
     at = i;
   }
-  return target.proxy.node_distance(onto, hypothesis.target_nodes[at]) <= nearest + kSlack;
+  return target.proxy.node_distance(onto, hypothesis.target_nodes[at]) <= nearest + slack;
 }
 
 void sort_by_cost(std::vector<Judged>& judged) {

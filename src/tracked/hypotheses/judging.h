@@ -32,9 +32,9 @@ struct Candidates {
 Candidates judged_hypotheses(const Pyramid& source, const Pyramid& target, const Options& options,
                              const Context& context);
 
-/// Whether the hypothesis, of which both are models, sends the first vertex near the second one.
+/// Whether the hypothesis sends the first of `vertices` within `slack` of the second one.
 bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyramid& source,
-               const Pyramid& target);
+               const Pyramid& target, float slack);
 
 /// Least cost first.
 void sort_by_cost(std::vector<Judged>& judged);

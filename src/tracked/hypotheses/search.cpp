@@ -172,7 +172,6 @@ std::vector<std::vector<int>> near_symmetries(const Proxy& proxy, const NodeDire
                                               std::vector<int> tips,
                                               const HypothesisOptions& options,
                                               const Context& context) {
-  constexpr float kIdentity = 0.1F;
   HypothesisOptions alone = options;
   alone.growth.fixed = 0;
   tips.resize(std::min(tips.size(), static_cast<std::size_t>(options.seeds.max_extremities)));
@@ -181,7 +180,8 @@ std::vector<std::vector<int>> near_symmetries(const Proxy& proxy, const NodeDire
   for (const LandmarkMap& map : grow_all(seeds_between(proxy, proxy, both, options.seeds, 0),
                                          landmarks, landmarks, options.symmetry, alone, context)) {
     std::vector<int> targets = extended(map, landmarks, proxy);
-    if (mean_move(landmarks, targets) > kIdentity) symmetries.push_back(std::move(targets));
+    if (mean_move(landmarks, targets) > options.identity_move)
+      symmetries.push_back(std::move(targets));
   }
   return symmetries;
 }

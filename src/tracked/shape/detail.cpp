@@ -33,12 +33,13 @@ std::vector<int> fewest_edges_away(const Surface& surface, const Detail& detail)
 
 }  // namespace
 
-Detail make_detail(const PreparedShape& shape, const Surface& surface, int vertices,
-                   const Context& context) {
-  SimplifiedMesh simplified = simplify(surface.mesh, vertices);
+Detail make_detail(const PreparedShape& shape, const Surface& surface,
+                   const PyramidOptions& options, const Context& context) {
+  SimplifiedMesh simplified = simplify(surface.mesh, options.detail_vertices);
   const Mesh& mesh = simplified.mesh;
   std::vector<elastic::Features> features;
-  for (const auto& relief : relief(mesh, unit_normals(mesh))) features.push_back({relief, {}});
+  for (const auto& relief : relief(mesh, unit_normals(mesh), options.relief_scales))
+    features.push_back({relief, {}});
   IndexLists faces = vertex_faces(mesh);
   const bool is_whole = mesh.num_vertices() == surface.num_vertices();
   // A mirror image has the distances of what it mirrors.

@@ -9,6 +9,7 @@
 #include "isomatch/context.h"
 #include "isomatch/geodesics/geodesics.h"
 #include "shape/prepared_shape.h"
+#include "tracked/options.h"
 
 namespace isomatch::tracked {
 
@@ -25,8 +26,8 @@ struct Detail {
 };
 
 /// `surface` is that of `shape` or its mirror image. O(N log N).
-Detail make_detail(const PreparedShape& shape, const Surface& surface, int vertices,
-                   const Context& context);
+Detail make_detail(const PreparedShape& shape, const Surface& surface,
+                   const PyramidOptions& options, const Context& context);
 
 /// The distances from these vertices of the detail, one for each place.
 void set_places(Detail& detail, const std::vector<int>& vertices, const Context& context);

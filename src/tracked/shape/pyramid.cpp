@@ -49,7 +49,7 @@ Pyramid make_pyramid(const PreparedShape& shape, bool mirrored, const PyramidOpt
   pyramid.surface =
       mirrored ? std::make_shared<const Surface>(mirror_image(*shape.surface())) : shape.surface();
   const Surface& surface = *pyramid.surface;
-  pyramid.detail = stepped(make_detail(shape, surface, options.detail_vertices, context));
+  pyramid.detail = stepped(make_detail(shape, surface, options, context));
   pyramid.proxy = stepped(make_proxy(pyramid.detail, surface.oriented, options.proxy, context));
   set_places(pyramid.detail, place_vertices(pyramid.proxy), context);
   pyramid.anchors = stepped(anchors(surface, pyramid.detail, context));

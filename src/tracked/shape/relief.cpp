@@ -9,9 +9,9 @@
 
 namespace isomatch::tracked {
 
-std::vector<std::array<double, elastic::kReliefs>> relief(const Mesh& mesh,
-                                                          const std::vector<Point>& normals) {
-  constexpr std::array<double, elastic::kReliefs> kScales{0.015, 0.03, 0.06};
+std::vector<std::array<double, elastic::kReliefs>> relief(
+    const Mesh& mesh, const std::vector<Point>& normals,
+    const std::array<double, elastic::kReliefs>& scales) {
   const std::vector<double> areas = vertex_areas(mesh);
   const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(mesh);
   Eigen::MatrixX3d positions(mesh.num_vertices(), 3), weighted(mesh.num_vertices(), 3);
@@ -23,13 +23,13 @@ std::vector<std::array<double, elastic::kReliefs>> relief(const Mesh& mesh,
   solver.analyzePattern(laplacian);
   std::vector<std::array<double, elastic::kReliefs>> features(mesh.vertices.size());
   for (int k = 0; k < elastic::kReliefs; ++k) {
-    Eigen::SparseMatrix<double> system = laplacian * (kScales[k] * kScales[k]);
+    Eigen::SparseMatrix<double> system = laplacian * (scales[k] * scales[k]);
     for (int v = 0; v < mesh.num_vertices(); ++v) system.coeffRef(v, v) += areas[v];
     solver.factorize(system);
     if (solver.info() != Eigen::Success) throw SolverFailure("a surface cannot be smoothed");
     const Eigen::MatrixX3d smooth = solver.solve(weighted);
     for (int v = 0; v < mesh.num_vertices(); ++v)
-      features[v][k] = normals[v].dot((positions.row(v) - smooth.row(v)).transpose()) / kScales[k];
+      features[v][k] = normals[v].dot((positions.row(v) - smooth.row(v)).transpose()) / scales[k];
   }
   return features;
 }

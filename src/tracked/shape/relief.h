@@ -13,7 +13,8 @@ namespace isomatch::tracked {
 /// How far each vertex stands out of the surface, at several scales: the distance, along the
 /// normal, from the surface after heat flow over scale s, divided by s. Grows with mean curvature,
 /// hardly changes as the surface bends at joints. The mesh must have unit area.
-std::vector<std::array<double, elastic::kReliefs>> relief(const Mesh& mesh,
-                                                          const std::vector<Point>& normals);
+std::vector<std::array<double, elastic::kReliefs>> relief(
+    const Mesh& mesh, const std::vector<Point>& normals,
+    const std::array<double, elastic::kReliefs>& scales);
 
 }  // namespace isomatch::tracked

@@ -56,15 +56,14 @@ SurfacePoints project(const Side& from, const Side& onto, const elastic::Project
 
 /// Moves what is near a landmark along with it, so that the landmark arrives.
 void bend_to_landmarks(const Pyramid& source, const Pyramid& target,
-                       const SurfaceMatches& landmarks, DeformedSurface& deformed) {
-  constexpr double kReach = 0.05;
+                       const SurfaceMatches& landmarks, double reach, DeformedSurface& deformed) {
   std::vector<Point> moves;
   for (const Match& match : *landmarks)
     moves.push_back(target.surface->mesh.vertices[match.target] - deformed.positions[match.source]);
   const std::vector<Point>& rest = source.surface->mesh.vertices;
   for (std::size_t v = 0; v < rest.size(); ++v) {
     for (std::size_t k = 0; k < landmarks->size(); ++k) {
-      const double distance = (rest[v] - rest[(*landmarks)[k].source]).norm() / kReach;
+      const double distance = (rest[v] - rest[(*landmarks)[k].source]).norm() / reach;
       deformed.positions[v] += std::exp(-distance * distance) * moves[k];
     }
   }
@@ -78,7 +77,7 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
   const Surface& goal = *target.surface;
   DeformedSurface deformed =
       deformed_surface(source, track.deformation, track.cloud.features, context);
-  bend_to_landmarks(source, target, options.landmarks, deformed);
+  bend_to_landmarks(source, target, options.landmarks, options.landmark_reach, deformed);
   const DeformedSurface rest{goal.mesh.vertices, goal.normals, target.detail.features};
   const Side from{source, deformed}, onto{target, rest};
   DenseMap map{project(from, onto, options.fine_projection, context),

@@ -112,8 +112,6 @@ Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, cons
 SurfaceMatches contradicted_landmarks(const Pyramid& target,
                                       const std::vector<Judged>& contradicting, double middle_cost,
                                       Options options, const Context& context) {
-  // True landmarks that are off by an edge cost less than this.
-  constexpr double kFarBetter = 2;
   if (contradicting.empty()) return {};
   const Context silent{.threads = context.threads, .progress = {}, .stop = context.stop};
   const SurfaceMatches landmarks = std::exchange(options.landmarks, {});
@@ -122,10 +120,11 @@ SurfaceMatches contradicted_landmarks(const Pyramid& target,
   for (const Track& track :
        all_tracks(contradicting, options.entrants, silent,
                   [&](const Judged& judged) { return tracking.begin(judged); })) {
-    if (kFarBetter * track.cost() > middle_cost) continue;
+    if (options.contradiction * track.cost() > middle_cost) continue;
     Correspondence contradicted;
     for (const Match& landmark : *landmarks)
-      if (!satisfies(track.judged.hypothesis, landmark, *track.judged.source, target))
+      if (!satisfies(track.judged.hypothesis, landmark, *track.judged.source, target,
+                     options.landmark_slack))
         contradicted.push_back(landmark);
     if (!fewest || contradicted.size() < fewest->size()) fewest = std::move(contradicted);
   }

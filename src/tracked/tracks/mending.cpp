@@ -37,12 +37,13 @@ std::vector<Check> check_all(std::span<const int> places, const Agreement& agree
 }
 
 /// Little for the nodes that cost far more than the median.
-std::vector<float> trusted(std::span<const double> areas, const std::vector<Check>& checks) {
+std::vector<float> trusted(std::span<const double> areas, const std::vector<Check>& checks,
+                           float tolerance) {
   std::vector<float> costs;
   for (const Check& check : checks) costs.push_back(check.cost);
   const auto median = costs.begin() + static_cast<std::ptrdiff_t>(costs.size() / 2);
   std::ranges::nth_element(costs, median);
-  const float tolerable = 2 * *median + 1e-6F;
+  const float tolerable = tolerance * *median + 1e-6F;
   std::vector<float> weights;
   for (std::size_t i = 0; i < checks.size(); ++i)
     weights.push_back(static_cast<float>(areas[i]) /
@@ -53,20 +54,19 @@ std::vector<float> trusted(std::span<const double> areas, const std::vector<Chec
 }  // namespace
 
 std::vector<int> mended(const Proxy& source, const Proxy& target, std::span<const double> areas,
-                        std::vector<int> target_nodes, int places) {
-  constexpr float kGain = 0.8F;     // Of the cost, at most, remains where it is worth moving.
-  constexpr float kFarAway = 0.1F;  // What is closer, rounds of refinement find by themselves.
+                        std::vector<int> target_nodes, int places, const MendingOptions& options) {
   std::vector<int> source_nodes(target_nodes.size());
   std::iota(source_nodes.begin(), source_nodes.end(), 0);
   const std::vector<int> before = target_nodes;
   const Agreement agreement(source, target, source_nodes, before, places);
   const std::vector<float> alike(areas.begin(), areas.end());
   const std::vector<Check> first = check_all(before, agreement, alike);
-  const std::vector<Check> checks = check_all(before, agreement, trusted(areas, first));
+  const std::vector<Check> checks =
+      check_all(before, agreement, trusted(areas, first, options.tolerable));
   for (std::size_t i = 0; i < checks.size(); ++i) {
     const Check& check = checks[i];
-    if (check.best_cost < kGain * check.cost &&
-        target.node_distance(check.best, before[i]) >= kFarAway)
+    if (check.best_cost < options.max_remaining * check.cost &&
+        target.node_distance(check.best, before[i]) >= options.min_move)
       target_nodes[i] = check.best;
   }
   return target_nodes;

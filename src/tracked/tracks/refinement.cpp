@@ -71,13 +71,14 @@ void Refinement::mend(Track& track) const {
       GeodesicSearch(*target_.proxy.graph).nearest_source(nodes).nearest;
   std::vector<int> places;
   for (int vertex : track.vertices) places.push_back(nearest[vertex]);
-  const std::vector<int> better = mended(track.judged.source->proxy, target_.proxy,
-                                         track.cloud.areas, places, track.target->size());
+  const std::vector<int> better =
+      mended(track.judged.source->proxy, target_.proxy, track.cloud.areas, places,
+             track.target->size(), options_.mending);
   if (better == places) return;
   Track other = track;
   for (std::size_t i = 0; i < places.size(); ++i)
     if (better[i] != places[i]) other.vertices[i] = nodes[better[i]];
-  advance(other, middle_surface_, options_.mending);
+  advance(other, middle_surface_, options_.mending.registration);
   run_round(other, options_.middle_rounds() - 1);
   if (other.cost() < track.cost()) track = std::move(other);
 }
@@ -114,14 +115,15 @@ Track Refinement::registered(const Judged& judged, const Level& source, const Le
 }
 
 Track Refinement::enter(const Judged& judged, const Level& source, const Level& target,
-                        std::vector<int> vertices) {
+                        std::vector<int> vertices) const {
   return {judged,
           &source,
           &target,
           source.graph.cloud,
           std::move(vertices),
           {source.graph.cloud.positions, source.graph.neighbours},
-          {}};
+          {},
+          judged.source->mirrored ? options_.mirror_price : 1};
 }
 
 /// The map that a spectral step makes of a track, for the nodes of `wanted`.

@@ -22,16 +22,12 @@ struct Track {
   std::vector<int> vertices;
   elastic::Deformation deformation;
   elastic::Registration registration;
+  /// More than 1 for mirror images, see `Options::mirror_price`.
+  double price = 1;
 
   /// How badly the surfaces fit, to be compared on one level. The energy of the fine registration
   /// is large where a map is torn, the distance where it leaves bulges of the target uncovered.
-  /// A mirror image has to fit clearly better, since shapes that are nearly symmetric fit their own
-  /// as well as themselves.
-  double cost() const {
-    constexpr double kMirrorPrice = 1.1;
-    return (judged.source->mirrored ? kMirrorPrice : 1) * registration.energy *
-           registration.distance;
-  }
+  double cost() const { return price * registration.energy * registration.distance; }
 };
 
 /// Carries hypotheses on to maps onto one target. Spectral steps know distances along the surface,
@@ -54,8 +50,8 @@ class Refinement {
   std::vector<int> nearest_nodes(const Track& track) const;
 
  private:
-  static Track enter(const Judged& judged, const Level& source, const Level& target,
-                     std::vector<int> vertices);
+  Track enter(const Judged& judged, const Level& source, const Level& target,
+              std::vector<int> vertices) const;
   Track registered(const Judged& judged, const Level& source, const Level& target) const;
   void mend(Track& track) const;
   std::vector<int> spectral_step(const Track& track, const Level& wanted, int round) const;

@@ -46,13 +46,13 @@ std::vector<Point> places_below(const Level& nodes, const Proxy& source, const P
 
 void settle_with_reverse(Track& track, const Refinement& tracking, const Pyramid& target,
                          const Options& options, const Context& context) {
-  constexpr double kDisagreement = 0.1;
   const Track reverse = reverse_track(track, tracking, target, reversed(options), context);
   std::vector<Point> anchors = places_below(*track.source, track.judged.source->proxy, target.proxy,
                                             reverse, options.fine_projection);
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     const Point& own = track.registration.feet[i].position;
-    anchors[i] = (anchors[i] - own).norm() < kDisagreement ? Point((anchors[i] + own) / 2) : own;
+    anchors[i] =
+        (anchors[i] - own).norm() < options.max_disagreement ? Point((anchors[i] + own) / 2) : own;
   }
   elastic::Registration judged = track.registration;
   tracking.settle(track, anchors);
