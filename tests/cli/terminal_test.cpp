@@ -55,7 +55,7 @@ TEST_F(Terminal, NoProgressStandsBeforeErrors) {
 
 TEST_F(Terminal, EveryStageIsShown) {
   const std::string all = written(arguments("out"));
-  for (const char* stage : {"% reading", "% models", "% hypotheses", "% refinement", "% writing"})
+  for (const char* stage : {"% reading", "% shapes", "% hypotheses", "% refinement", "% writing"})
     EXPECT_THAT(all, HasSubstr(stage));
 }
 

@@ -168,6 +168,31 @@ TEST_F(PaperPoses, LeaveNoVertexOutsideThePatchesOfALevel) {
   }
 }
 
+TEST_F(PaperPoses, AreSampledAlikeWithoutMatching) {
+  for (const int level : {0, 2, 1000}) {
+    const std::size_t k = std::min<std::size_t>(level, result_.levels.size() - 1);
+    const JointSampling sampling = sample_jointly(*source_, *target_, level);
+    const auto first = [](const std::vector<int>& bases, int count) {
+      return std::vector<int>(bases.begin(), bases.begin() + count);
+    };
+    EXPECT_EQ(sampling.source, first(result_.source_bases, result_.levels[k].source_bases));
+    EXPECT_EQ(sampling.target, first(result_.target_bases, result_.levels[k].target_bases));
+  }
+  EXPECT_THROW(sample_jointly(*source_, *target_, -1), InvalidInput);
+}
+
+TEST_F(PaperPoses, HaveTheImagesOfTheLastLevel) {
+  const std::vector<int>& image = result_.levels.back().many_to_one;
+  ASSERT_EQ(image.size(), result_.source_bases.size());
+  const Correspondence& matches = result_.levels.back().matches;
+  for (std::size_t s = 0; s < image.size(); ++s) {
+    const int target = result_.source_to_target[result_.source_bases[s]];
+    const auto base = std::ranges::find(result_.target_bases, target);
+    const Match match{static_cast<int>(s), static_cast<int>(base - result_.target_bases.begin())};
+    EXPECT_TRUE(std::ranges::binary_search(matches, match));
+  }
+}
+
 TEST_F(PaperPoses, AreMatchedAlikeInUnitsBeyondTheRangeOf32Bits) {
   for (const double unit : {std::exp2(-200), std::exp2(200)}) {
     const Shape source(test::scaled(creatures_[0].mesh, unit));

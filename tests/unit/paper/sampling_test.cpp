@@ -10,11 +10,17 @@
 #include <span>
 #include <vector>
 
+#include "isomatch/error.h"
+#include "isomatch/methods/sampling.h"
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
 #include "support/context.h"
 #include "support/metric_surface.h"
 #include "support/random.h"
 #include "support/rough_meshes.h"
 #include "support/shapes.h"
+#include "support/transforms.h"
+#include "support/zoo.h"
 
 namespace isomatch {
 namespace {
@@ -143,6 +149,34 @@ TEST(SampleBases, EndsAtEveryVertexInOrder) {
   const BaseSampling one = sample_bases(measured.shape, measured.order, {}, 100);
   EXPECT_EQ(one.bases, std::vector{measured.order.front()});
   EXPECT_NEAR(one.largest_patch_area, 1, 1e-12);
+}
+
+TEST(SampleBasesOfAShape, AreThoseOfItsSurfaceInTheNumbersAndUnitsOfTheMesh) {
+  const Mesh sphere = test::rough_sphere(3, 0.2, 1);
+  const Mesh charts = test::scaled(test::split_charts(sphere, test::octants(sphere)), 50);
+  const Shape shape(test::combined(test::icosphere(1), charts));
+  const Surface& surface = *shape.prepared().surface();
+  std::vector<int> order;
+  for (int v : test::Random(1).permutation(shape.num_vertices()))
+    if (shape.on_surface(v)) order.push_back(v);
+  std::vector<int> expected;
+  const std::vector<int> on_it = *on_surface(surface, order, "vertex");
+  for (int v :
+       sample_bases(shape.prepared().metric({}), on_it, {}, static_cast<float>(20 / surface.scale))
+           .bases)
+    expected.push_back(surface.input_vertex[v]);
+  EXPECT_GT(expected.size(), 10);
+  EXPECT_EQ(sample_bases(shape, order, 20), expected);
+  // All of them, each place once.
+  EXPECT_EQ(std::ssize(sample_bases(shape, order, 0)), shape.num_surface_vertices());
+}
+
+TEST(SampleBasesOfAShape, HaveToBeOnItsSurface) {
+  const Shape shape(test::three_spheres());
+  EXPECT_THROW(sample_bases(shape, std::vector{0}, 1), InvalidInput);
+  EXPECT_THROW(sample_bases(shape, std::vector{-1}, 1), InvalidInput);
+  EXPECT_THROW(sample_bases(shape, std::vector{shape.num_vertices()}, 1), InvalidInput);
+  EXPECT_EQ(sample_bases(shape, std::vector{170}, 1), std::vector{170});
 }
 
 /// Farthest point sampling on the table of distances.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <concepts>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "isomatch/error.h"

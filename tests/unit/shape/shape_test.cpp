@@ -90,7 +90,7 @@ TEST(Shape, LengthsAndAreasAreInUnitsOfTheMesh) {
   }
 }
 
-TEST(Shape, MeasuresBytheGeodesicsItWasMadeFor) {
+TEST(Shape, MeasuresByTheGeodesicsItWasMadeFor) {
   const Mesh mesh = test::icosphere(3);
   const Shape plain(mesh), by_edges(mesh, GeodesicOptions::edges());
   EXPECT_GT(by_edges.max_geodesic(), 1.02 * plain.max_geodesic());

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stop_token>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -69,9 +71,8 @@ TEST_F(KeptShapes, MayBeSharedByThreads) {
     for (TrackedResult& result : results)
       threads.emplace_back([&] { result = match_tracked(source, target, {}, alone); });
     for (FitMeasures& fit : fits)
-      threads.emplace_back([&] {
-        fit = judge_fit(source, target, map_.source_to_target, {}, alone).measures;
-      });
+      threads.emplace_back(
+          [&] { fit = judge_fit(source, target, map_.source_to_target, {}, alone).measures; });
     for (double& length : lengths)
       threads.emplace_back([&] { length = source.max_geodesic(alone); });
   }

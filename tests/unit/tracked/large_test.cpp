@@ -44,7 +44,7 @@ struct Poses {
   Shape source_shape, target_shape;
 };
 
-/// Both are right. An edge is .013 sqrt(area) long of 8,000 vertices, .0055 of 45,000; measured
+/// Both are right. Edges are .012 sqrt(area) long of 8,000 vertices, .005 of 45,000; measured
 /// errors are .0051 and .0064.
 void expect_right(const Poses& poses, const TrackedResult& result) {
   test::expect_sound(result, poses.source_shape, poses.target_shape);

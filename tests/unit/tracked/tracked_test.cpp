@@ -21,6 +21,7 @@
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
+#include "support/zoo.h"
 #include "unit/tracked/matched_pair.h"
 
 namespace isomatch {
@@ -101,6 +102,89 @@ TEST_F(TrackedPair, BadLandmarksAreRejected) {
   expect_rejected({{source_.num_vertices(), 0}});
   expect_rejected({{0, target_.num_vertices()}});
   expect_rejected({{7, 1}, {8, 2}, {7, 3}});
+}
+
+TEST(TrackedLandmarks, OfCopiesAtASeamAreThoseOfOneVertex) {
+  const Mesh charts = test::sphere_of_charts();
+  const Shape source(charts), target(test::icosphere(2));
+  int first = 0;
+  while (source.copies(first).size() < 2) ++first;
+  const int copy = source.copies(first)[1];
+  const auto matched = [&](const Correspondence& landmarks) {
+    TrackedOptions options;
+    options.landmarks = landmarks;
+    return match_tracked(source, target, options);
+  };
+  const TrackedResult result = matched({{first, 7}, {copy, 7}});
+  test::expect_sound(result, source, target);
+  const SurfacePoint& point = result.maps.front().source_to_target[first];
+  EXPECT_LT((position(target.mesh(), point) - target.mesh().vertices[7]).norm(), 1e-12);
+  try {
+    matched({{first, 7}, {copy, 8}});
+    ADD_FAILURE();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.what(), "copies of source vertex " + std::to_string(first) +
+                                " on a seam have different landmarks");
+  }
+}
+
+/// The template point that is farthest forward at rest, or farthest behind.
+int end_of(const SynthShape& shape, bool front) {
+  const auto z = [&](int v) { return shape.rest[v].z(); };
+  const auto [last, first] = std::ranges::minmax_element(shape.ground_truth, {}, z);
+  return front ? *first : *last;
+}
+
+TEST(TrackedLandmarks, ThatContradictTheShapesAreNamedAsTheyWereGiven) {
+  const SynthShape source = synthesize({.vertices = 1000, .pose = 1, .seed = 2});
+  const SynthShape target = synthesize({.vertices = 1000, .pose = 2, .seed = 2});
+  // Loose triangles: every vertex has copies.
+  const Shape loose(test::soup(source.mesh));
+  const auto copy_of = [&](int v) {
+    for (int f = 0; f < source.mesh.num_faces(); ++f)
+      for (int k = 0; k < 3; ++k)
+        if (source.mesh.faces[f][k] == v) return loose.copies(3 * f + k).back();
+    return -1;
+  };
+  const Match wrong{copy_of(end_of(source, true)), end_of(target, false)};
+  const int point = 700;
+  const Match right{copy_of(source.ground_truth[point]), target.ground_truth[point]};
+  TrackedOptions options;
+  options.landmarks = {wrong, right};
+  const TrackedResult result = match_tracked(loose, Shape(target.mesh), options);
+  EXPECT_EQ(result.contradicted_landmarks, Correspondence{wrong});
+}
+
+TEST(TrackedLandmarks, HaveToBeOnTheSurface) {
+  const Shape spheres(test::three_spheres()), sphere(test::icosphere(2));
+  TrackedOptions options;
+  options.landmarks = {{0, 0}};
+  try {
+    match_tracked(spheres, sphere, options);
+    ADD_FAILURE();
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "source vertex 0 is not on the surface that is matched");
+  }
+  try {
+    match_tracked(sphere, spheres, options);
+    ADD_FAILURE();
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "target vertex 0 is not on the surface that is matched");
+  }
+}
+
+TEST_F(TrackedPair, RegisteredSourceIsInTheTargetsCoordinatesWholly) {
+  // A part that is not matched follows, and units and place are those of the target.
+  const Mesh part = test::scaled(test::icosphere(1), 0.1);
+  Mesh far = test::scaled(pair_.target, 50);
+  for (Point& p : far.vertices) p += Point(1000, 0, 0);
+  const Shape source(test::combined(part, pair_.source)), target(far);
+  const TrackedMap map = match_tracked(source, target).maps.front();
+  test::expect_whole(map.source_to_target, source, target);
+  double sum = 0;
+  for (int v = part.num_vertices(); v < source.num_vertices(); ++v)
+    sum += (map.registered[v] - position(far, map.source_to_target[v])).norm();
+  EXPECT_LT(sum / pair_.source.num_vertices(), 0.01 * std::sqrt(target.area()));
 }
 
 TEST_F(TrackedPair, PartsOfTheMethodMayBeLeftOut) {
