@@ -97,12 +97,15 @@ ExtractedSurface largest_surface(SoundMesh sound) {
   surface.degenerate_faces = sound.degenerate_faces;
   surface.duplicate_faces = sound.duplicate_faces;
   surface.joined_edges = seams.joined_edges;
+  surface.num_input_faces = sound.num_input_faces;
   std::vector<int> number = take(sound, largest_component(sound, surface), surface);
   for (std::size_t v = 0; v < number.size(); ++v) number[v] = number[seams.joined_vertex[v]];
   adopt_loose_vertices(sound.mesh, has_face, number);
   surface.surface_vertex.resize(number.size());
   for (std::size_t v = 0; v < number.size(); ++v)
     surface.surface_vertex[sound.input_vertex[v]] = number[v];
+  for (int v = static_cast<int>(number.size()) - 1; v >= 0; --v)
+    if (surface.surface_vertex[v] != kNoVertex) surface.input_vertex[surface.surface_vertex[v]] = v;
   return surface;
 }
 

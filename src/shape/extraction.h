@@ -26,14 +26,15 @@ namespace isomatch {
 /// coincide (a sheet and its copy), or where joining would make an edge of more than two faces.
 struct ExtractedSurface {
   Mesh mesh;
-  /// ExtractedSurface vertex to input vertex (the lowest where a seam was joined).
+  /// Surface vertex to input vertex, the lowest of those that lead to it.
   std::vector<int> input_vertex;
   /// Input vertex to surface vertex, `kNoVertex` where it is not part of the surface. A vertex
   /// without a face that has an area goes with a coinciding vertex of the surface, if there is one.
   std::vector<int> surface_vertex;
-  /// ExtractedSurface face to input face. The corners keep their order, so barycentric coordinates
+  /// Surface face to input face. The corners keep their order, so barycentric coordinates
   /// carry over.
   std::vector<int> input_face;
+  int num_input_faces = 0;
   /// Area of `mesh`, and of all components together, each duplicate face counted once.
   double area = 0, total_area = 0;
   /// Of the whole input: connected components after joining, of which `mesh` is one.

@@ -14,9 +14,9 @@
 namespace isomatch {
 namespace {
 
-/// Surface face of each input face up to the last that is part of the surface, `kNoFace` if none.
+/// Surface face of each input face, `kNoFace` if none.
 std::vector<int> surface_faces(const Surface& surface) {
-  std::vector<int> faces(std::ranges::max(surface.input_face) + 1, kNoFace);
+  std::vector<int> faces(surface.num_input_faces, kNoFace);
   for (int f = 0; f < surface.mesh.num_faces(); ++f) faces[surface.input_face[f]] = f;
   return faces;
 }
@@ -26,6 +26,14 @@ SurfacePoint turned(const SurfacePoint& point, int face, bool is_turned) {
   SurfacePoint result{face, point.weights};
   if (is_turned) std::swap(result.weights[1], result.weights[2]);
   return result;
+}
+
+void check_faces(const SurfaceMap& map, int num_faces) {
+  for (const SurfacePoint& point : map) {
+    if (point.face < kNoFace || point.face >= num_faces)
+      throw InvalidInput(
+          fmt::format("the map leads to face {}: there are {}", point.face, num_faces));
+  }
 }
 
 void sort_without_repetition(Correspondence& matches) {
@@ -65,13 +73,12 @@ SurfacePoints on_surfaces(const Surface& source, const Surface& target, const Su
   if (map.size() != source.surface_vertex.size())
     throw InvalidInput(fmt::format("the map has {} points for {} vertices", map.size(),
                                    source.surface_vertex.size()));
+  check_faces(map, target.num_input_faces);
   const std::vector<int> surface_face = surface_faces(target);
   SurfaceMap result(source.num_vertices());
   for (std::size_t v = 0; v < result.size(); ++v) {
     const SurfacePoint& point = map[source.input_vertex[v]];
-    if (point.face < kNoFace)
-      throw InvalidInput(fmt::format("the map leads to face {}", point.face));
-    if (point.face == kNoFace || std::cmp_greater_equal(point.face, surface_face.size())) continue;
+    if (point.face == kNoFace) continue;
     const int face = surface_face[point.face];
     if (face != kNoFace) result[v] = turned(point, face, target.turned[face]);
   }

@@ -89,6 +89,7 @@ SoundMesh renumbered(const Mesh& input, std::span<const VertexKind> kinds) {
     number[v] = sound.mesh.num_vertices();
     sound.mesh.vertices.push_back(points[v]);
   }
+  sound.num_input_faces = input.num_faces();
   sound.mesh.faces.reserve(input.faces.size());
   for (const auto& [a, b, c] : input.faces)
     sound.mesh.faces.push_back({number[a], number[b], number[c]});

@@ -16,6 +16,7 @@ struct SoundMesh {
   Mesh mesh;
   /// For each vertex and face of `mesh` its index in the input.
   std::vector<int> input_vertex, input_face;
+  int num_input_faces = 0;
   /// Area of each face of `mesh`, positive.
   std::vector<double> face_areas;
   /// Left out because a vertex repeats or the area is zero (up to the rounding of the coordinates).

@@ -57,6 +57,7 @@ Surface unit_surface(ExtractedSurface extracted) {
   surface.input_vertex = std::move(extracted.input_vertex);
   surface.surface_vertex = std::move(extracted.surface_vertex);
   surface.input_face = std::move(extracted.input_face);
+  surface.num_input_faces = extracted.num_input_faces;
   surface.input_vertices = input_vertices(surface.surface_vertex, surface.num_vertices());
   return surface;
 }

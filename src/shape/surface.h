@@ -33,8 +33,9 @@ struct Surface {
   IndexLists input_vertices;
   /// The vertex of each of the caller's vertices, `kNoVertex` where it is not part of the surface.
   std::vector<int> surface_vertex;
-  /// The caller's face of each face.
+  /// The caller's face of each face, and how many the caller has.
   std::vector<int> input_face;
+  int num_input_faces = 0;
 
   int num_vertices() const { return mesh.num_vertices(); }
 };
