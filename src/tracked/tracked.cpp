@@ -55,6 +55,19 @@ SurfaceMatches checked_landmarks(const Surface& source, const Surface& target,
   return result;
 }
 
+/// Those of `landmarks` that are among `matches`, which have no copies.
+Correspondence among(const SurfaceMatches& matches, const Surface& source, const Surface& target,
+                     const Correspondence& landmarks) {
+  Correspondence result;
+  for (const Match& landmark : landmarks) {
+    const Match on_surfaces{surface_vertex(source, landmark.source),
+                            surface_vertex(target, landmark.target)};
+    if (std::ranges::find(*matches, on_surfaces) != matches->end()) result.push_back(landmark);
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
 /// Where of the whole stages begin, as measured on shapes of 5,000 to 42,000 vertices.
 constexpr double kHypothesesBegin = 0.28, kRefinementBegin = 0.6, kDenseMapBegin = 0.97;
 
@@ -167,10 +180,9 @@ TrackedResult match_tracked(const Shape& source, const Shape& target,
   const Finals finals =
       timed("refinement", kRefinementBegin, kDenseMapBegin, [&](const Context& part) {
         Finals followed = run_finals(goal, candidates.possible, options, part);
-        result.contradicted_landmarks =
-            to_input(from, onto,
-                     contradicted_landmarks(goal, candidates.contradicting, followed.middle_cost,
-                                            options, context));
+        const SurfaceMatches contradicted = contradicted_landmarks(
+            goal, candidates.contradicting, followed.middle_cost, options, context);
+        result.contradicted_landmarks = among(contradicted, from, onto, tracked_options.landmarks);
         return followed;
       });
   result.ambiguity = finals.ambiguity;
