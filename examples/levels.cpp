@@ -30,10 +30,8 @@ isomatch::Context context_with_limit(std::stop_source& stop, std::chrono::second
 void print_levels(const char* source_file, const char* target_file) {
   std::stop_source stop;
   const isomatch::Context context = context_with_limit(stop, std::chrono::minutes(10));
-  const isomatch::Shape source =
-      isomatch::prepare_shape(isomatch::read_mesh(source_file), {}, context);
-  const isomatch::Shape target =
-      isomatch::prepare_shape(isomatch::read_mesh(target_file), {}, context);
+  const isomatch::Shape source(isomatch::read_mesh(source_file));
+  const isomatch::Shape target(isomatch::read_mesh(target_file));
 
   isomatch::PaperOptions options;
   options.max_levels = 3;

@@ -14,21 +14,16 @@ namespace {
 
 void match(const char* source_file, const char* target_file, const char* map_file,
            const char* registered_file) {
-  const isomatch::Mesh source_mesh = isomatch::read_mesh(source_file);
-  const isomatch::Mesh target_mesh = isomatch::read_mesh(target_file);
-  const isomatch::Surface source = isomatch::extract_surface(source_mesh);
-  const isomatch::Surface target = isomatch::extract_surface(target_mesh);
+  const isomatch::Shape source(isomatch::read_mesh(source_file));
+  const isomatch::Shape target(isomatch::read_mesh(target_file));
 
   const isomatch::TrackedResult result = isomatch::match_tracked(source, target);
   const isomatch::TrackedMap& best = result.maps.front();
   std::cout << "ambiguity " << result.ambiguity << '\n';
 
-  // From the numbers of the surfaces back to those of the files.
-  const isomatch::SurfaceMap source_to_target =
-      isomatch::input_map(source, target, best.source_to_target);
-  isomatch::write_source_to_target(map_file,
-                                   isomatch::nearest_vertices(target_mesh, source_to_target));
-  isomatch::write_mesh(registered_file, isomatch::input_pose(source_mesh, source, best.registered));
+  isomatch::write_source_to_target(
+      map_file, isomatch::nearest_vertices(target.mesh(), best.source_to_target));
+  isomatch::write_mesh(registered_file, {best.registered, source.mesh().faces});
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "isomatch/geodesics/geodesics.h"
-#include "isomatch/mesh/surface.h"
 #include "isomatch/mesh/synth.h"
+#include "shape/extraction.h"
 
 namespace isomatch {
 namespace {
@@ -29,8 +29,8 @@ Context one_thread() {
   return context;
 }
 
-const Surface& creature(int vertices) {
-  static std::map<int, Surface> surfaces;
+const ExtractedSurface& creature(int vertices) {
+  static std::map<int, ExtractedSurface> surfaces;
   const auto [entry, missing] = surfaces.try_emplace(vertices);
   if (missing) entry->second = extract_surface(synthesize({.vertices = vertices, .pose = 1}).mesh);
   return entry->second;
@@ -43,13 +43,13 @@ struct Workload {
 
   int next_vertex() { return static_cast<int>(random() % graph.num_vertices()); }
 
-  const Surface& surface;
+  const ExtractedSurface& surface;
   GeodesicGraph graph;
   std::mt19937 random;
 };
 
 void build(benchmark::State& state, int vertices, const Engine& engine) {
-  const Surface& surface = creature(vertices);
+  const ExtractedSurface& surface = creature(vertices);
   double arcs = 0;
   for (auto _ : state) {
     const GeodesicGraph graph(surface.mesh, engine.options, one_thread());

@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "isomatch/mesh/diagnosis.h"
 #include "isomatch/mesh/synth.h"
+#include "shape/inspection.h"
+#include "shape/prepared_shape.h"
 #include "tracked/tracks/dense_map.h"
 #include "tracked/tracks/finals.h"
 
@@ -22,12 +23,15 @@ Mesh creature(int vertices, int pose) {
 /// A pair of creatures after every stage, made anew when a benchmark of another size begins.
 struct Pair {
   explicit Pair(int vertices)
-      : source(make_pyramid(extract_surface(creature(vertices, 1)), false, options, {})),
-        target(make_pyramid(extract_surface(creature(vertices, 2)), false, options, {})),
+      : source_shape(creature(vertices, 1), {}),
+        target_shape(creature(vertices, 2), {}),
+        source(make_pyramid(source_shape, false, options.pyramid, {})),
+        target(make_pyramid(target_shape, false, options.pyramid, {})),
         judged(judged_hypotheses(source, target, options, {}).possible),
         finals(run_finals(target, judged, options, {})) {}
 
   Options options;
+  PreparedShape source_shape, target_shape;
   Pyramid source, target;
   std::vector<Judged> judged;
   Finals finals;
@@ -46,34 +50,40 @@ void inspection(benchmark::State& state) {
 }
 
 void unit(benchmark::State& state) {
-  const Surface surface = extract_surface(creature(static_cast<int>(state.range(0)), 1));
+  const ExtractedSurface surface = extract_surface(creature(static_cast<int>(state.range(0)), 1));
   for (auto _ : state) benchmark::DoNotOptimize(unit_surface(surface));
 }
 
 void detail(benchmark::State& state) {
   const Pair& given = pair(state);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(make_detail(given.source.surface, given.options.detail_vertices, {}));
+  for (auto _ : state) {
+    // Not one that has its geodesic graph already.
+    state.PauseTiming();
+    const PreparedShape shape(given.source_shape.mesh(), {});
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(
+        make_detail(shape, *shape.surface(), given.options.pyramid.detail_vertices, {}));
+  }
 }
 
 void anchoring(benchmark::State& state) {
   const Pair& given = pair(state);
   for (auto _ : state)
-    benchmark::DoNotOptimize(anchors(given.source.surface, given.source.detail, {}));
+    benchmark::DoNotOptimize(anchors(*given.source.surface, given.source.detail, {}));
 }
 
 void proxy(benchmark::State& state) {
   const Pair& given = pair(state);
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        make_proxy(given.source.detail, given.source.surface.oriented, given.options.proxy, {}));
+    benchmark::DoNotOptimize(make_proxy(given.source.detail, given.source.surface->oriented,
+                                        given.options.pyramid.proxy, {}));
 }
 
 void basis(benchmark::State& state) {
   const Pair& given = pair(state);
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        spectral::eigenbasis(given.source.proxy.mesh, given.options.last_basis));
+        spectral::eigenbasis(given.source.proxy.mesh, given.options.pyramid.functions));
 }
 
 void hypotheses(benchmark::State& state) {

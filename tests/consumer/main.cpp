@@ -14,18 +14,18 @@ namespace {
 
 /// How many vertices of a shape matched to itself stay where they are.
 int fixed_vertices(const isomatch::Mesh& mesh) {
-  const isomatch::Surface surface = isomatch::extract_surface(mesh);
-  const isomatch::TrackedResult result = isomatch::match_tracked(surface, surface);
+  const isomatch::Shape shape(mesh);
+  const isomatch::TrackedResult result = isomatch::match_tracked(shape, shape);
   const isomatch::VertexMap map =
-      isomatch::nearest_vertices(surface.mesh, result.maps.front().source_to_target);
+      isomatch::nearest_vertices(mesh, result.maps.front().source_to_target);
   int fixed = 0;
-  for (int v = 0; v < surface.num_vertices(); ++v) fixed += map[v] == v ? 1 : 0;
+  for (int v = 0; v < mesh.num_vertices(); ++v) fixed += map[v] == v ? 1 : 0;
   return fixed;
 }
 
 bool throws_its_exceptions() {
   try {
-    isomatch::extract_surface(isomatch::Mesh{});
+    const isomatch::Shape shape{isomatch::Mesh{}};
   } catch (const isomatch::InvalidInput&) {
     return true;
   }

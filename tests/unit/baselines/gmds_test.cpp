@@ -12,6 +12,7 @@
 #include "isomatch/error.h"
 #include "pairs.h"
 #include "support/context.h"
+#include "support/metric_surface.h"
 #include "support/shapes.h"
 
 namespace isomatch::baselines {
@@ -19,27 +20,27 @@ namespace {
 
 constexpr GmdsOptions kFewPoints{.points = 100};
 
-Correspondence nearest_matches(const Shape& target, const GmdsResult& result) {
-  const VertexMap nearest = nearest_vertices(target.surface.mesh, result.points);
+SurfaceMatches nearest_matches(const MetricSurface& target, const GmdsResult& result) {
+  const VertexMap nearest = nearest_vertices(target.mesh(), result.points);
   Correspondence matches;
   for (std::size_t i = 0; i < nearest.size(); ++i)
     matches.push_back({result.source_vertices[i], nearest[i]});
   std::ranges::sort(matches);
-  return matches;
+  return SurfaceMatches(matches);
 }
 
 TEST(Gmds, FindsARelabelledShape) {
   const test::KnownPair pair = test::relabelled_pair(1000);
-  const GmdsResult result = match_gmds(pair.source, pair.target, kFewPoints);
+  const GmdsResult result = match_gmds(pair.source_surface(), pair.target_surface(), kFewPoints);
   ASSERT_EQ(std::ssize(result.points), kFewPoints.points);
   // An edge is .04 long; distances within a triangle are interpolated.
   EXPECT_LT(result.stress, 0.004);
-  EXPECT_LT(pair.error(nearest_matches(pair.target, result)), 0.02);
+  EXPECT_LT(pair.error(nearest_matches(pair.target_surface(), result)), 0.02);
 }
 
 TEST(Gmds, PointsAreOnTriangles) {
   const test::KnownPair pair = test::posed_pair(1000);
-  const GmdsResult result = match_gmds(pair.source, pair.target, kFewPoints);
+  const GmdsResult result = match_gmds(pair.source_surface(), pair.target_surface(), kFewPoints);
   for (const SurfacePoint& point : result.points) {
     EXPECT_GE(point.face, 0);
     EXPECT_GE(*std::ranges::min_element(point.weights), 0);
@@ -50,18 +51,20 @@ TEST(Gmds, PointsAreOnTriangles) {
 TEST(Gmds, ThreadsChangeNothing) {
   const test::KnownPair pair = test::posed_pair(1000);
   const auto matched = [&](int threads) {
-    return match_gmds(pair.source, pair.target, kFewPoints, test::with_threads(threads)).points;
+    return match_gmds(pair.source_surface(), pair.target_surface(), kFewPoints,
+                      test::with_threads(threads))
+        .points;
   };
   EXPECT_EQ(matched(1), matched(3));
 }
 
 TEST(Gmds, RejectsWhatItCannotDo) {
-  const Shape small = prepare_shape(test::icosphere(1));
+  const MetricSurface small = test::metric_surface(test::icosphere(1));
   EXPECT_THROW(match_gmds(small, small), InvalidInput);
   GmdsOptions few = kFewPoints;
   few.max_target_vertices = 500;
   const test::KnownPair pair = test::relabelled_pair(1000);
-  EXPECT_THROW(match_gmds(pair.source, pair.target, few), InvalidInput);
+  EXPECT_THROW(match_gmds(pair.source_surface(), pair.target_surface(), few), InvalidInput);
   EXPECT_THROW((GmdsOptions{.points = 4}.validate()), InvalidInput);
   EXPECT_THROW((GmdsOptions{.start_candidates = 4}.validate()), InvalidInput);
   EXPECT_THROW((GmdsOptions{.tolerance = 0}.validate()), InvalidInput);
@@ -78,7 +81,7 @@ TEST(CoarseAssignments, AreTheBestOfAll) {
 }
 
 TEST(Stress, MovingAPointNeverRaisesIt) {
-  const Shape shape = prepare_shape(test::rough_sphere(3, 0.1, 1));
+  const MetricSurface shape = test::metric_surface(test::rough_sphere(3, 0.1, 1));
   const DistanceTable distances(shape, {});
   const Eigen::MatrixXd wanted = Eigen::MatrixXd::Constant(6, 6, 0.4);
   const Stress stress(shape, distances, wanted);
@@ -94,7 +97,7 @@ TEST(Stress, MovingAPointNeverRaisesIt) {
 }
 
 TEST(Stress, BestVertexIsThatOfBruteForce) {
-  const Shape shape = prepare_shape(test::rough_sphere(2, 0.1, 1));
+  const MetricSurface shape = test::metric_surface(test::rough_sphere(2, 0.1, 1));
   const DistanceTable distances(shape, {});
   Eigen::MatrixXd wanted(4, 4);
   wanted << 0, .1, .2, .3, .1, 0, .4, .5, .2, .4, 0, .6, .3, .5, .6, 0;

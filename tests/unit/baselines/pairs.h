@@ -8,6 +8,8 @@
 #include "isomatch/measure/metrics.h"
 #include "isomatch/mesh/shape.h"
 #include "isomatch/mesh/synth.h"
+#include "shape/numbers.h"
+#include "shape/prepared_shape.h"
 #include "support/random.h"
 #include "support/transforms.h"
 
@@ -18,12 +20,23 @@ struct KnownPair {
   Shape source, target;
   GroundTruth truth;
 
+  MetricSurface source_surface() const { return source.prepared().metric({}); }
+  MetricSurface target_surface() const { return target.prepared().metric({}); }
+
   /// Mean error, over sqrt(area).
   double error(const Correspondence& matches) const {
-    return template_errors(target, truth, matches).mean;
+    return template_errors(source, target, truth, matches).mean;
   }
-  double error(const VertexMap& map) const { return error(to_correspondence(map)); }
+  /// Of what is in the numbers of the surfaces.
+  double error(const SurfaceMatches& matches) const {
+    return error(to_input(*source.prepared().surface(), *target.prepared().surface(), matches));
+  }
 };
+
+/// The matches of a map between surfaces.
+inline SurfaceMatches surface_matches(const VertexMap& map) {
+  return SurfaceMatches(to_correspondence(map));
+}
 
 /// A bent creature, and itself moved and under other numbers.
 inline KnownPair relabelled_pair(int vertices) {
@@ -32,19 +45,14 @@ inline KnownPair relabelled_pair(int vertices) {
   const Relabelled other = relabelled(moved(mesh, random), random);
   std::vector<int> all(mesh.vertices.size());
   for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
-  KnownPair pair{prepare_shape(mesh), prepare_shape(other.mesh), {}};
-  pair.truth = surface_truth(pair.source.surface, pair.target.surface, all, other.new_vertex);
-  return pair;
+  return {Shape(mesh), Shape(other.mesh), {all, other.new_vertex}};
 }
 
 /// A creature in two poses that are close to each other in geodesic distance, each meshed anew.
 inline KnownPair posed_pair(int vertices) {
   const SynthShape source = synthesize({.vertices = vertices, .pose = 1, .seed = 2});
   const SynthShape target = synthesize({.vertices = vertices, .pose = 2, .seed = 2});
-  KnownPair pair{prepare_shape(source.mesh), prepare_shape(target.mesh), {}};
-  pair.truth = surface_truth(pair.source.surface, pair.target.surface, source.ground_truth,
-                             target.ground_truth);
-  return pair;
+  return {Shape(source.mesh), Shape(target.mesh), {source.ground_truth, target.ground_truth}};
 }
 
 }  // namespace isomatch::test

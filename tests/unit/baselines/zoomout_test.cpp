@@ -7,6 +7,7 @@
 #include "isomatch/error.h"
 #include "pairs.h"
 #include "support/context.h"
+#include "support/metric_surface.h"
 #include "support/shapes.h"
 #include "zoomout/orientation_operator.h"
 #include "zoomout/wave_kernel.h"
@@ -16,22 +17,24 @@ namespace {
 
 TEST(ZoomOut, FindsARelabelledShape) {
   const test::KnownPair pair = test::relabelled_pair(1500);
-  const ZoomOutResult result = match_zoomout(pair.source, pair.target);
-  ASSERT_EQ(std::ssize(result.source_to_target), pair.source.num_vertices());
+  const ZoomOutResult result = match_zoomout(pair.source_surface(), pair.target_surface());
+  ASSERT_EQ(std::ssize(result.source_to_target), pair.source.num_surface_vertices());
   // Rounding of eigenfunctions may exchange close neighbours; an edge is .03 long.
-  EXPECT_LT(pair.error(result.source_to_target), 0.003);
+  EXPECT_LT(pair.error(test::surface_matches(result.source_to_target)), 0.003);
 }
 
 TEST(ZoomOut, MatchesPosesWithoutAFlip) {
   const test::KnownPair pair = test::posed_pair(1500);
   // The truth is off by up to half an edge, .015, on either side.
-  EXPECT_LT(pair.error(match_zoomout(pair.source, pair.target).source_to_target), 0.03);
+  const ZoomOutResult result = match_zoomout(pair.source_surface(), pair.target_surface());
+  EXPECT_LT(pair.error(test::surface_matches(result.source_to_target)), 0.03);
 }
 
 TEST(ZoomOut, ThreadsChangeNothing) {
   const test::KnownPair pair = test::posed_pair(1000);
   const auto matched = [&](int threads) {
-    return match_zoomout(pair.source, pair.target, {}, test::with_threads(threads))
+    return match_zoomout(pair.source_surface(), pair.target_surface(), {},
+                         test::with_threads(threads))
         .source_to_target;
   };
   EXPECT_EQ(matched(1), matched(3));
@@ -44,7 +47,7 @@ ZoomOutOptions with(int ZoomOutOptions::*option, int value) {
 }
 
 TEST(ZoomOut, RejectsWhatItCannotDo) {
-  const Shape small = prepare_shape(test::icosphere(1));
+  const MetricSurface small = test::metric_surface(test::icosphere(1));
   EXPECT_THROW(match_zoomout(small, small), InvalidInput);
   EXPECT_THROW(with(&ZoomOutOptions::step, 0).validate(), InvalidInput);
   EXPECT_THROW(with(&ZoomOutOptions::energies, 1).validate(), InvalidInput);

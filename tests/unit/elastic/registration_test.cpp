@@ -43,8 +43,8 @@ std::vector<Point> images(const Cloud& cloud, const Prepared& source, const Prep
   std::vector<Point> points;
   for (std::size_t i = 0; i < cloud.graph.cloud.positions.size(); ++i) {
     const int vertex = source.proxy.detail_vertex[source.proxy.nodes[i]];
-    const int input = source.shape.surface.input_vertex[vertex];
-    points.push_back(target.surface.mesh.vertices[target.shape.surface.surface_vertex[input]]);
+    const int input = source.surface.input_vertex[vertex];
+    points.push_back(target.surface.mesh.vertices[target.surface.surface_vertex[input]]);
   }
   return points;
 }

@@ -21,8 +21,8 @@ using TrackedInvariance = test::CreaturePair;
 TEST_F(TrackedInvariance, ThreadsChangeNothing) {
   const auto matched = [&](int threads) {
     const Context context = test::with_threads(threads);
-    return match_tracked(extract_surface(pair_.source), extract_surface(pair_.target),
-                         test::with_alternatives(1), context);
+    return match_tracked(Shape(pair_.source), Shape(pair_.target), test::with_alternatives(1),
+                         context);
   };
   const TrackedResult one = matched(1), three = matched(3);
   ASSERT_EQ(one.maps.size(), three.maps.size());
@@ -47,10 +47,9 @@ TEST_F(TrackedInvariance, ThreadsChangeNothing) {
 
 TEST_F(TrackedInvariance, UnitsBeyondTheRangeOf32BitsChangeNothing) {
   for (const double unit : {std::exp2(-200), std::exp2(200)}) {
-    const Shape source = prepare_shape(test::scaled(pair_.source, unit));
-    const Shape target = prepare_shape(test::scaled(pair_.target, 1 / unit));
-    EXPECT_EQ(match_tracked(source.surface, target.surface).maps.front().source_to_target,
-              map_.source_to_target);
+    const Shape source(test::scaled(pair_.source, unit));
+    const Shape target(test::scaled(pair_.target, 1 / unit));
+    EXPECT_EQ(match_tracked(source, target).maps.front().source_to_target, map_.source_to_target);
   }
 }
 
@@ -94,18 +93,17 @@ TEST_F(TrackedInvariance, FacesTurnedOverDoNotMatter) {
     for (Face& face : mesh.faces) std::swap(face[1], face[2]);
     return mesh;
   };
-  const Shape source = prepare_shape(turned(pair_.source));
-  const Shape target = prepare_shape(turned(pair_.target));
+  const Shape source(turned(pair_.source)), target(turned(pair_.target));
   for (const auto& [from, onto] :
        {std::pair{&source_, &target}, {&source, &target_}, {&source, &target}}) {
-    const TrackedResult result = match_tracked(from->surface, onto->surface);
+    const TrackedResult result = match_tracked(*from, *onto);
     test::expect_sound(result, *from, *onto);
     const TrackedMap& map = result.maps.front();
-    EXPECT_LT(test::mean_distance(test::input_places(*from, *onto, map.source_to_target),
-                                  test::input_places(source_, target_, map_.source_to_target)),
+    EXPECT_LT(test::mean_distance(test::places(*onto, map.source_to_target),
+                                  test::places(target_, map_.source_to_target)),
               1e-3);
-    EXPECT_LT(test::mean_distance(test::input_places(*onto, *from, map.target_to_source),
-                                  test::input_places(target_, source_, map_.target_to_source)),
+    EXPECT_LT(test::mean_distance(test::places(*from, map.target_to_source),
+                                  test::places(source_, map_.target_to_source)),
               1e-3);
   }
 }
@@ -125,8 +123,8 @@ TEST_F(TrackedInvariance, SaysWhenASurfaceHasNoOutside) {
   test::Random random(1);
   for (Face& face : turned.faces)
     if (random.uniform() < 0.5) std::swap(face[0], face[1]);
-  const Shape source = prepare_shape(turned);
-  const TrackedResult result = match_tracked(source.surface, target_.surface);
+  const Shape source(turned);
+  const TrackedResult result = match_tracked(source, target_);
   EXPECT_FALSE(result.oriented);
   test::expect_sound(result, source, target_);
 }

@@ -18,19 +18,38 @@
 
 namespace isomatch::test {
 
-/// That every vertex of a surface has a point on the other one.
-inline void expect_whole(const SurfaceMap& map, const Shape& from, const Shape& onto) {
-  ASSERT_EQ(map.size(), from.num_vertices());
-  for (const SurfacePoint& point : map) {
-    ASSERT_GE(point.face, 0);
-    ASSERT_LT(point.face, onto.surface.mesh.num_faces());
-    double sum = 0;
-    for (double weight : point.weights) {
-      EXPECT_GE(weight, 0);
-      sum += weight;
-    }
-    EXPECT_NEAR(sum, 1, 1e-9);
+/// That it lies on a face of the surface.
+inline void expect_point(const SurfacePoint& point, const Shape& shape) {
+  ASSERT_GE(point.face, 0);
+  ASSERT_LT(point.face, shape.mesh().num_faces());
+  for (int v : shape.mesh().faces[point.face]) EXPECT_TRUE(shape.on_surface(v));
+  double sum = 0;
+  for (double weight : point.weights) {
+    EXPECT_GE(weight, 0);
+    sum += weight;
   }
+  EXPECT_NEAR(sum, 1, 1e-9);
+}
+
+/// That every vertex of a surface, and no other vertex, has a point on the other one, and copies at
+/// a seam the same.
+inline void expect_whole(const SurfaceMap& map, const Shape& from, const Shape& onto) {
+  ASSERT_EQ(std::ssize(map), from.num_vertices());
+  for (int v = 0; v < from.num_vertices(); ++v) {
+    if (from.on_surface(v)) {
+      expect_point(map[v], onto);
+      EXPECT_EQ(map[v], map[from.copies(v).front()]);
+    } else {
+      EXPECT_EQ(map[v], SurfacePoint{});
+    }
+  }
+}
+
+inline std::set<int> vertices_on_surface(const Shape& shape) {
+  std::set<int> vertices;
+  for (int v = 0; v < shape.num_vertices(); ++v)
+    if (shape.on_surface(v)) vertices.insert(v);
+  return vertices;
 }
 
 /// That the relation has every vertex of both surfaces, in order and without repetition.
@@ -41,8 +60,8 @@ inline void expect_covering(const Correspondence& relation, const Shape& source,
     sources.insert(match.source);
     targets.insert(match.target);
   }
-  EXPECT_EQ(std::ssize(sources), source.num_vertices());
-  EXPECT_EQ(std::ssize(targets), target.num_vertices());
+  EXPECT_EQ(sources, vertices_on_surface(source));
+  EXPECT_EQ(targets, vertices_on_surface(target));
   EXPECT_TRUE(std::ranges::is_sorted(relation));
   EXPECT_EQ(std::ranges::adjacent_find(relation), relation.end());
 }
@@ -54,8 +73,8 @@ inline void expect_sound(const TrackedResult& result, const Shape& source, const
   for (const TrackedMap& map : result.maps) {
     expect_whole(map.source_to_target, source, target);
     expect_whole(map.target_to_source, target, source);
-    expect_covering(matches(source.surface, target.surface, map), source, target);
-    ASSERT_EQ(map.registered.size(), source.num_vertices());
+    expect_covering(matches(source, target, map), source, target);
+    ASSERT_EQ(std::ssize(map.registered), source.num_vertices());
     for (const Point& p : map.registered) EXPECT_TRUE(p.allFinite());
     for (const double figure : {map.energy, map.distance, map.deviation, map.distortion}) {
       EXPECT_GE(figure, -1e-12);  // 1 - cosine rounds.
@@ -68,9 +87,10 @@ inline void expect_sound(const TrackedResult& result, const Shape& source, const
   EXPECT_FALSE(result.hypotheses.empty());
 }
 
+/// Where the vertices go, all of which must have a point.
 inline std::vector<Point> places(const Shape& target, const SurfaceMap& map) {
   std::vector<Point> points;
-  for (const SurfacePoint& point : map) points.push_back(position(target.surface.mesh, point));
+  for (const SurfacePoint& point : map) points.push_back(position(target.mesh(), point));
   return points;
 }
 
@@ -80,16 +100,7 @@ inline double mean_distance(const std::vector<Point>& a, const std::vector<Point
   return sum / static_cast<double>(a.size());
 }
 
-/// Where the vertices of the input of `from` go, all of which must be part of its surface.
-inline std::vector<Point> input_places(const Shape& from, const Shape& onto,
-                                       const SurfaceMap& map) {
-  const std::vector<Point> points = places(onto, map);
-  std::vector<Point> result;
-  for (int vertex : from.surface.surface_vertex) result.push_back(points[vertex]);
-  return result;
-}
-
-/// Two meshes, and the vertices of template points on both, in numbers of the input.
+/// Two meshes, and the vertices of template points on both.
 struct TruePair {
   Mesh source, target;
   std::vector<int> source_truth, target_truth, mirrored_target_truth;
@@ -110,8 +121,7 @@ struct Errors {
 inline Errors errors(const TruePair& pair, const Shape& source, const Shape& target,
                      const TrackedResult& result) {
   const auto against = [&](const std::vector<int>& truth) {
-    return point_errors(target,
-                        surface_truth(source.surface, target.surface, pair.source_truth, truth),
+    return point_errors(source, target, {pair.source_truth, truth},
                         result.maps.front().source_to_target)
         .mean;
   };
@@ -120,8 +130,8 @@ inline Errors errors(const TruePair& pair, const Shape& source, const Shape& tar
 
 /// Matches a pair, checks the result and measures its errors.
 inline Errors matched_errors(const TruePair& pair) {
-  const Shape source = prepare_shape(pair.source), target = prepare_shape(pair.target);
-  const TrackedResult result = match_tracked(source.surface, target.surface);
+  const Shape source(pair.source), target(pair.target);
+  const TrackedResult result = match_tracked(source, target);
   expect_sound(result, source, target);
   EXPECT_TRUE(result.oriented);
   return errors(pair, source, target, result);
@@ -142,9 +152,9 @@ class CreaturePair : public testing::Test {
   struct Plain {
     explicit Plain(TruePair creatures)
         : pair(std::move(creatures)),
-          source(prepare_shape(pair.source)),
-          target(prepare_shape(pair.target)),
-          result(match_tracked(source.surface, target.surface)) {}
+          source(pair.source),
+          target(pair.target),
+          result(match_tracked(source, target)) {}
 
     TruePair pair;
     Shape source, target;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include "isomatch/mesh/shape.h"
+#include "shape/prepared_shape.h"
 #include "tracked/shape/proxy.h"
 
 namespace isomatch::test {
@@ -11,13 +11,13 @@ namespace isomatch::test {
 struct Prepared {
   explicit Prepared(const Mesh& mesh, const tracked::ProxyOptions& options = {},
                     const Context& context = {})
-      : shape(prepare_shape(mesh, {}, context)),
-        surface(tracked::unit_surface(shape.surface)),
-        detail(tracked::make_detail(surface, shape.num_vertices(), context)),
+      : shape(mesh, {}),
+        surface(*shape.surface()),
+        detail(tracked::make_detail(shape, surface, surface.num_vertices(), context)),
         proxy(tracked::make_proxy(detail, surface.oriented, options, context)) {}
 
-  Shape shape;
-  tracked::Surface surface;
+  PreparedShape shape;
+  const Surface& surface;
   tracked::Detail detail;
   tracked::Proxy proxy;
 };
