@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import numbers
 import os
 from typing import Optional, Union
 
@@ -30,14 +29,14 @@ def _as_landmarks(landmarks, source, target):
     return as_pairs(landmarks, "landmarks"), None
 
 
-def _match_tracked(source, target, landmarks, seed, options, run):
-    return _core.match_tracked(source._core, target._core, landmarks, seed, options, run)
+def _match_tracked(source, target, landmarks, options, run):
+    return _core.match_tracked(source._core, target._core, landmarks, options, run)
 
 
-def _match_paper(source, target, landmarks, seed, options, run):
+def _match_paper(source, target, landmarks, options, run):
     if len(landmarks) > 0:
         raise ValueError("landmarks: the paper's method takes none")
-    return _core.match_paper(source._core, target._core, source.geodesics, seed, options, run)
+    return _core.match_paper(source._core, target._core, source.geodesics, options, run)
 
 
 _METHODS = {"tracked": _match_tracked, "paper": _match_paper}
@@ -62,7 +61,6 @@ def match(
     landmarks: Union[None, ArrayLike, PathLike] = None,
     *,
     geodesics: Geodesics = "w20",
-    seed: int = 0,
     threads: Optional[int] = None,
     progress: Progress = None,
     **options,
@@ -83,8 +81,6 @@ def match(
     geodesics
         "w20", "w10" or "edges", see `Shape`, which keeps its own; for the paper's method and for
         what is measured.
-    seed
-        Seed of random choices, of which neither method makes any; for the report.
     threads
         Number of threads, by default as many as the machine has. Results do not depend on it.
     progress
@@ -116,11 +112,9 @@ def match(
     check_options(options, method, function=f"match(method={method!r})", methods=_METHODS)
     source = as_shape(source, geodesics, threads)
     target = as_shape(target, geodesics, threads)
-    if not isinstance(seed, numbers.Integral) or seed < 0:
-        raise ValueError(f"seed: expected an integer from 0, not {seed!r}")
     pairs, file = _as_landmarks(landmarks, source, target)
     run = _core.RunOptions(threads, progress)
-    core = _METHODS[method](source, target, pairs, seed, options, run)
+    core = _METHODS[method](source, target, pairs, options, run)
     result = Match(core, method, (source, target), pairs, file)
     for text in result._urgent_warnings():
         warn(text)

@@ -36,9 +36,8 @@ void check_save(const SavedAs& saved, std::vector<std::string> files);
 
 /// Options of a run as they go into its report.
 template <class Options>
-results::Json report_options(const std::string& method, unsigned long seed,
-                             const Options& options) {
-  results::Json json = results::options_json(method, seed);
+results::Json report_options(const std::string& method, const Options& options) {
+  results::Json json = results::options_json(method);
   results::add_options(json, options);
   return json;
 }

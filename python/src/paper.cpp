@@ -23,7 +23,7 @@ using results::PaperRun;
 const char* const kMethod = "paper";
 
 PaperRun match(const MatchInput& source, const MatchInput& target, const std::string& geodesics,
-               unsigned long seed, const py::dict& keywords, const RunOptions& how) {
+               const py::dict& keywords, const RunOptions& how) {
   const auto options = to_options<PaperOptions>(keywords);
   results::MatchInputs inputs = to_inputs(source, target);
   Fit fit;
@@ -33,7 +33,7 @@ PaperRun match(const MatchInput& source, const MatchInput& target, const std::st
     fit = results::fit_of(inputs, found, context);
     return found;
   });
-  results::Json json = report_options(kMethod, seed, options);
+  results::Json json = report_options(kMethod, options);
   json["geodesics"] = geodesics;
   // Distances are known by now.
   const std::array max_geodesics{source.shape.max_geodesic(), target.shape.max_geodesic()};
@@ -85,7 +85,7 @@ std::vector<std::string> files_of(const PaperRun& run) {
 
 void save(PaperRun& run, const SavedAs& saved, const RunOptions& how) {
   // Not the default method.
-  results::Json defaults = report_options("tracked", 0, PaperOptions{});
+  results::Json defaults = report_options("tracked", PaperOptions{});
   defaults["geodesics"] = "w20";
   rename(run.inputs, saved, command_line(saved, run.options, defaults));
   results::Json report;

@@ -22,9 +22,9 @@ namespace {
 const char* const kMethod = "tracked";
 
 TrackedMatch match(const MatchInput& source, const MatchInput& target, const py::array& landmarks,
-                   unsigned long seed, const py::dict& keywords, const RunOptions& how) {
+                   const py::dict& keywords, const RunOptions& how) {
   auto options = to_options<TrackedOptions>(keywords);
-  TrackedMatch match{{to_inputs(source, target), report_options(kMethod, seed, options)}};
+  TrackedMatch match{{to_inputs(source, target), report_options(kMethod, options)}};
   options.landmarks = to_matches(landmarks, "landmarks");
   match.result = run(how, [&](const Context& context) {
     TrackedResult result =
@@ -65,7 +65,7 @@ void save(TrackedMatch& run, const SavedAs& saved, const RunOptions& how) {
   if (!saved.landmarks.empty()) results::set_path(run.options, "landmarks", saved.landmarks);
   run.options["target-to-source"] = saved.target_to_source;
   run.target_to_source = saved.target_to_source;
-  results::Json defaults = report_options(kMethod, 0, TrackedOptions{});
+  results::Json defaults = report_options(kMethod, TrackedOptions{});
   defaults["landmarks"] = results::Json();
   defaults["target-to-source"] = false;
   rename(run.inputs, saved, command_line(saved, run.options, defaults));

@@ -70,15 +70,6 @@ def test_landmarks_may_be_a_file(files, program, tmp_path, pose1, pose2):
         isomatch.match(*pair, landmarks=tmp_path / "absent.txt")
 
 
-def test_the_seed_goes_into_the_report(files, tmp_path):
-    for method, options in (("tracked", {"refinement": False}), ("paper", {"levels": 0})):
-        isomatch.match(
-            files / "source.off", files / "target.ply", method, seed=7, **options
-        ).save(tmp_path / method)
-        report = (tmp_path / method / "report.json").read_text()
-        assert '"seed": 7' in report and '"--seed"' in report
-
-
 @pytest.mark.parametrize(
     "call, error, hint",
     [
@@ -88,7 +79,6 @@ def test_the_seed_goes_into_the_report(files, tmp_path):
          r"match\(method='tracked'\) has no option 'levels': it is one of the paper's method"),
         (lambda m: isomatch.match(m, m, "paper", max_levels=3), TypeError, "did you mean 'levels'"),
         (lambda m: isomatch.match(m, m, alternative=3), TypeError, "did you mean 'alternatives'"),
-        (lambda m: isomatch.match(m, m, seed=-1), ValueError, "seed: expected an integer from 0"),
         (lambda m: isomatch.match(m, m, progress=3), TypeError, "expected True or a function"),
         (lambda m: isomatch.match(m, m, "paper", levels=2.5), TypeError, "levels: expected int"),
     ],

@@ -46,8 +46,8 @@ Json report_tail(const std::vector<StageTime>& times) {
           {"peak_memory_mib_after", peaks}};
 }
 
-Json options_json(const std::string& method, unsigned long seed) {
-  return {{"method", method}, {"seed", seed}};
+Json options_json(const std::string& method) {
+  return {{"method", method}};
 }
 
 }  // namespace isomatch::results

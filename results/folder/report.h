@@ -18,6 +18,6 @@ std::vector<StageTime> joined(std::vector<StageTime> loading,
 Json report_tail(const std::vector<StageTime>& times);
 
 /// Options of every method as they go into the report.
-Json options_json(const std::string& method, unsigned long seed);
+Json options_json(const std::string& method);
 
 }  // namespace isomatch::results

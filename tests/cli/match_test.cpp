@@ -51,7 +51,7 @@ TEST_F(MatchProgram, OptionsOfTheOtherMethodAreRefused) {
 TEST_F(MatchProgram, HelpSaysWhichOptionBelongsToWhichMethod) {
   const std::string help = run({"match", "--help"}).output;
   const auto place = [&](const char* text) { return help.find(text); };
-  EXPECT_LT(place("--seed"), place("Options of --method tracked:"));
+  EXPECT_LT(place("--threads"), place("Options of --method tracked:"));
   EXPECT_LT(place("Options of --method tracked:"), place("--landmarks"));
   EXPECT_LT(place("--landmarks"), place("Options of --method paper:"));
   EXPECT_LT(place("Options of --method paper:"), place("--geodesics"));

@@ -71,10 +71,6 @@ void add_common_options(CLI::App& command, MatchCommand& match) {
                   "tracked: no flips, points on triangles; paper: Sahillioglu and Yemez 2011")
       ->check(CLI::IsMember({"tracked", "paper"}))
       ->capture_default_str();
-  command
-      .add_option("--seed", arguments.seed,
-                  "Seed of random choices, of which neither method makes any")
-      ->capture_default_str();
 }
 
 void run_match(const MatchCommand& match, const Context& context) {

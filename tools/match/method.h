@@ -21,7 +21,6 @@ struct MatchArguments {
   std::string source, target, folder;
   /// The command line, for the report.
   std::vector<std::string> words;
-  unsigned long seed = 0;
   /// Whether a page follows, report.html, and the truth that it shows.
   bool page = false;
   results::TruthFiles truth;

@@ -21,8 +21,8 @@ struct PaperArguments {
   std::string geodesics = "w20";
 };
 
-results::Json paper_options_json(const MatchArguments& arguments, const PaperArguments& paper) {
-  results::Json json = results::options_json("paper", arguments.seed);
+results::Json paper_options_json(const PaperArguments& paper) {
+  results::Json json = results::options_json("paper");
   json["geodesics"] = paper.geodesics;
   results::add_options(json, paper.options);
   return json;
@@ -50,8 +50,8 @@ std::optional<results::ShownMatch> run_paper(const MatchArguments& arguments,
   PaperResult result = match_paper(source, target, paper.options, results::matching_part(context));
   Fit fit = results::fit_of(inputs, result, context);
   const std::array max_geodesics{source.max_geodesic(context), target.max_geodesic(context)};
-  const results::PaperRun run{std::move(inputs), paper_options_json(arguments, paper),
-                              std::move(result), max_geodesics, std::move(fit)};
+  const results::PaperRun run{std::move(inputs), paper_options_json(paper), std::move(result),
+                              max_geodesics, std::move(fit)};
   context.report(results::kJudged, "writing");
   results::Json report = results::write_paper(plan, run);
   print_outcome(run.inputs, summary_of(run.result), run.fit, arguments.folder, arguments.quiet);

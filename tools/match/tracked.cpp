@@ -38,9 +38,8 @@ void load_landmarks(const results::MatchInputs& inputs, TrackedArguments& tracke
   }
 }
 
-results::Json tracked_options_json(const MatchArguments& arguments,
-                                   const TrackedArguments& tracked) {
-  results::Json json = results::options_json("tracked", arguments.seed);
+results::Json tracked_options_json(const TrackedArguments& tracked) {
+  results::Json json = results::options_json("tracked");
   results::add_options(json, tracked.options);
   json["landmarks"] = results::Json();
   if (!tracked.landmarks.empty()) results::set_path(json, "landmarks", tracked.landmarks);
@@ -75,8 +74,8 @@ std::optional<results::ShownMatch> run_tracked(const MatchArguments& arguments,
   TrackedResult result = match_tracked(inputs.source.shape, inputs.target.shape, tracked.options,
                                        results::matching_part(context));
   std::vector<Fit> fits = results::fits_of(inputs, result, context);
-  const results::TrackedRun run{std::move(inputs), tracked_options_json(arguments, tracked),
-                                std::move(result), std::move(fits), tracked.target_to_source};
+  const results::TrackedRun run{std::move(inputs), tracked_options_json(tracked), std::move(result),
+                                std::move(fits), tracked.target_to_source};
   context.report(results::kJudged, "writing");
   results::Json report = results::write_tracked(plan, run);
   print_outcome(run.inputs, summary_of(run), run.fits.front(), arguments.folder, arguments.quiet);

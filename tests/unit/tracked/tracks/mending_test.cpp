@@ -27,7 +27,7 @@ class MendingTest : public testing::Test {
 
   static std::vector<int> mend(const Proxy& proxy, std::vector<int> map) {
     const NodeGraph graph = node_graph(proxy, kNodes);
-    return mended(proxy, proxy, graph.cloud.areas, std::move(map), kNodes);
+    return mended(proxy, proxy, graph.cloud.areas, std::move(map), kNodes, {});
   }
 
   std::vector<int> around(int node, float radius) const {
@@ -83,7 +83,7 @@ TEST_F(MendingTest, BelievesTheGreaterArea) {
   for (int i = 0; i < kNodes / 2; ++i) map[i] = 0;
   std::vector<double> areas(kNodes, 1);
   std::fill_n(areas.begin(), kNodes / 2, 1e-6);
-  const std::vector<int> result = mended(creature_, creature_, areas, map, kNodes);
+  const std::vector<int> result = mended(creature_, creature_, areas, map, kNodes, {});
   for (int i = 0; i < kNodes; ++i) EXPECT_LT(creature_.node_distance(result[i], i), 0.1) << i;
 }
 
