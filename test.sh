@@ -104,6 +104,11 @@ sections=(build python wheel test)
 [ "$lint" != true ] || sections+=(lint)
 # Other presets make the program too slow for what only waits for it.
 [ "$preset" != dev ] || sections+=(browser docs)
+if [ "$preset" = tsan ]; then
+  sections+=(tsan)
+  # What libomp itself does is known from what it tells; libraries of the system are not looked into.
+  export TSAN_OPTIONS=ignore_noninstrumented_modules=1
+fi
 
 mkdir -p "$logs"
 check "packages" scripts/install_packages.sh "${sections[@]}" || exit 1

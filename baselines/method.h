@@ -10,7 +10,7 @@
 #include "isomatch/context.h"
 #include "isomatch/maps/correspondence.h"
 #include "isomatch/maps/surface_map.h"
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 #include "isomatch/stage_times.h"
 
 /// Methods that the project compares itself with, and its own, behind one interface. All of them

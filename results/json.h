@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/shape/diagnosis.h"
 
 namespace isomatch::results {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "isomatch/mesh/diagnosis.h"
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/diagnosis.h"
+#include "isomatch/shape/shape.h"
 
 /// Stages on a mesh that was read from the file `path`, which is to blame: what makes the mesh
 /// unusable is a `BadFile`.

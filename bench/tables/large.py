@@ -32,7 +32,7 @@ ELEPHANTS = [("elephant42k", names, divisions)
                            ("elephant_4", "elephant_1")) for divisions in range(3)]
 ELEPHANTS += [("elephant169k", ("elephant_gallop_1", "elephant_gallop_20"), divisions)
               for divisions in (0, 2)]
-STAGES = ["reading", "diagnosis", "models", "hypotheses", "refinement", "dense map", "writing"]
+STAGES = ["reading", "diagnosis", "shapes", "hypotheses", "refinement", "dense map", "writing"]
 POINT_ERROR = "point_error_over_sqrt_area"
 
 

@@ -62,11 +62,9 @@ py::dict read_map_file(const std::string& path, std::optional<int> source_vertic
 
 /// Adds the form of the map that is missing. Throws `InvalidInput` if it leads off the target.
 void complete(MapContent& map, const Mesh& target) {
-  const auto check = [&](const auto& form) {
-    check_map(static_cast<int>(form.size()), target, form);
-  };
-  check(map.source_to_target);
-  check(map.points);
+  const auto& [vertices, points] = map;
+  check_map(vertices, static_cast<int>(vertices.size()), target.num_vertices());
+  check_map(points, static_cast<int>(points.size()), target.num_faces());
   if (map.points.empty()) map.points = corner_points(target, map.source_to_target);
   if (map.source_to_target.empty()) map.source_to_target = nearest_vertices(target, map.points);
 }

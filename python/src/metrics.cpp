@@ -26,7 +26,7 @@ results::MeasuredMap to_map(const MatchInput& source, const MatchInput& target,
                             const py::tuple& map) {
   if (map.size() == 1) return {to_matches(map[0].cast<py::array>(), "matches"), {}};
   SurfaceMap points = to_surface_map(map[0].cast<py::array>(), map[1].cast<py::array>());
-  check_map(source.shape.num_vertices(), target.mesh(), points);
+  check_map(points, source.shape.num_vertices(), target.mesh().num_faces());
   return results::measured_map(target.shape, {{}, std::move(points)});
 }
 

@@ -41,10 +41,10 @@ SurfaceMap given_map(const MatchInput& from, const MatchInput& onto, const py::t
     points = to_surface_map(arrays[0].cast<py::array>(), arrays[1].cast<py::array>());
   } else {
     const VertexMap vertices = to_integers(arrays[0].cast<py::array>(), "the map");
-    check_map(from.shape.num_vertices(), onto.mesh(), vertices);
+    check_map(vertices, from.shape.num_vertices(), onto.shape.num_vertices());
     points = corner_points(onto.mesh(), vertices);
   }
-  check_map(from.shape.num_vertices(), onto.mesh(), points);
+  check_map(points, from.shape.num_vertices(), onto.mesh().num_faces());
   return points;
 }
 

@@ -241,7 +241,7 @@ def change(**fields):
         ("tracked", "report.json", lambda folder, name: (folder / name).unlink()),
         ("tracked", "report.json", change(hypotheses=[7])),
         ("tracked", "report.json", change(map={})),
-        ("tracked", "report.json", change(seconds={"models": "long"})),
+        ("tracked", "report.json", change(seconds={"shapes": "long"})),
         ("tracked", "report.json", change(options={"method": "magic"})),
         ("tracked", "registered.ply", lambda folder, name: (folder / name).unlink()),
         ("tracked", "source_to_target.bary.txt", cut),

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "results/drawing/drawable.h"
 
-#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/shape/diagnosis.h"
 
 namespace isomatch::results {
 namespace {

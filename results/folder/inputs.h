@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "isomatch/io/mesh_io.h"
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 #include "isomatch/stage_times.h"
 #include "results/evaluation.h"
 #include "results/warn.h"

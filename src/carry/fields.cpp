@@ -6,16 +6,16 @@
 #include <cmath>
 #include <limits>
 
-#include "carry/checks.h"
 #include "isomatch/carry/transfer.h"
 #include "isomatch/error.h"
+#include "isomatch/maps/surface_map.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
 namespace {
 
 void check(const Mesh& source, const SurfaceMap& target_to_source, std::size_t values) {
-  transfer::check_map(static_cast<int>(target_to_source.size()), source, target_to_source);
+  check_map(target_to_source, static_cast<int>(target_to_source.size()), source.num_faces());
   if (values != source.vertices.size())
     throw InvalidInput(
         fmt::format("there are {} values for {} source vertices", values, source.num_vertices()));

@@ -7,14 +7,14 @@
 #include <limits>
 #include <optional>
 
-#include "carry/checks.h"
 #include "geometry/closest_point.h"
 #include "geometry/kd_tree.h"
 #include "geometry/weld.h"
 #include "isomatch/carry/map_inversion.h"
 #include "isomatch/error.h"
-#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/maps/surface_map.h"
 #include "isomatch/mesh/topology.h"
+#include "isomatch/shape/diagnosis.h"
 #include "parallel.h"
 
 namespace isomatch {
@@ -37,7 +37,7 @@ class Images {
 
   Images(const Mesh& source, const Mesh& target, const SurfaceMap& source_to_target,
          double normal_weight)
-      : source_(source), normal_weight_(normal_weight), normals_(vertex_normals(target)) {
+      : normal_weight_(normal_weight), normals_(vertex_normals(target)) {
     std::vector<int> image_of(source.vertices.size(), kNoVertex);
     for (int v = 0; v < source.num_vertices(); ++v) {
       const SurfacePoint& point = source_to_target[v];
@@ -131,7 +131,6 @@ class Images {
     return (blend(point) - query).head<3>().norm();
   }
 
-  const Mesh& source_;
   double normal_weight_;
   std::vector<Point> normals_;
   std::vector<Coordinates> points_;
@@ -154,7 +153,7 @@ void InversionOptions::validate() const {
 SurfaceMap invert_map(const Mesh& source, const Mesh& target, const SurfaceMap& source_to_target,
                       const InversionOptions& options, const Context& context) {
   options.validate();
-  transfer::check_map(source.num_vertices(), target, source_to_target);
+  check_map(source_to_target, source.num_vertices(), target.num_faces());
   // Of vertices that are not finite or stray nothing is asked, and they spoil no other's normal.
   const std::vector<int> places = stand_ins(target);
   Mesh sound = target;

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <algorithm>
 
-#include "carry/checks.h"
 #include "geometry/walk.h"
 #include "geometry/weld.h"
 #include "isomatch/carry/transfer.h"
 #include "isomatch/error.h"
+#include "isomatch/maps/surface_map.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
@@ -24,7 +24,7 @@ int only_corner(const SurfacePoint& point) {
 SurfaceMap transfer_points(const Mesh& source, const Mesh& target,
                            const SurfaceMap& source_to_target,
                            std::span<const SurfacePoint> points) {
-  transfer::check_map(source.num_vertices(), target, source_to_target);
+  check_map(source_to_target, source.num_vertices(), target.num_faces());
   const WeldedMesh welded = weld(target);
   const IndexLists around = vertex_faces(welded.mesh);
   const auto carried = [&](const SurfacePoint& point) -> SurfacePoint {

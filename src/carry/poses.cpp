@@ -10,7 +10,6 @@
 #include <numeric>
 #include <optional>
 
-#include "carry/checks.h"
 #include "carry/gradients.h"
 #include "carry/pose_rotations.h"
 #include "geometry/cotangent_laplacian.h"
@@ -19,6 +18,7 @@
 #include "geometry/weld.h"
 #include "isomatch/carry/pose_transfer.h"
 #include "isomatch/error.h"
+#include "isomatch/maps/surface_map.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
@@ -259,7 +259,7 @@ PoseTransfer::PoseTransfer(const Mesh& source, const Mesh& target,
                            const SurfaceMap& target_to_source, const PoseTransferOptions& options) {
   validate_finite(source);
   validate_finite(target);
-  transfer::check_map(target.num_vertices(), source, target_to_source);
+  check_map(target_to_source, target.num_vertices(), source.num_faces());
   parts_ = std::make_unique<const Parts>(source, target, target_to_source, options);
 }
 

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "carry/charts.h"
-#include "carry/checks.h"
 #include "carry/seam_cutter.h"
 #include "geometry/walk.h"
 #include "isomatch/carry/texture_transfer.h"
 #include "isomatch/error.h"
+#include "isomatch/maps/surface_map.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
@@ -117,7 +117,7 @@ TexturedMesh transfer_texture(const Mesh& source, const Texture& texture, const 
                               const SurfaceMap& target_to_source,
                               const TextureTransferOptions& options) {
   validate(texture, source);
-  transfer::check_map(target.num_vertices(), source, target_to_source);
+  check_map(target_to_source, target.num_vertices(), source.num_faces());
   const transfer::Charts charts(source, texture);
   transfer::MappedMesh mapped = options.cut_seams
                                     ? cut_along_seams(charts, target, target_to_source)

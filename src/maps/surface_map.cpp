@@ -28,20 +28,20 @@ Point position(const Mesh& mesh, const SurfacePoint& point) {
   return sum;
 }
 
-void check_map(int from_vertices, const Mesh& onto, const SurfaceMap& map) {
+void check_map(const SurfaceMap& map, int from_vertices, int onto_faces) {
   check_length(map.size(), from_vertices);
   for (const SurfacePoint& point : map)
-    if (point.face < kNoFace || point.face >= onto.num_faces())
-      throw InvalidInput(fmt::format("the map: face {} is out of range; there are {}", point.face,
-                                     onto.num_faces()));
+    if (point.face < kNoFace || point.face >= onto_faces)
+      throw InvalidInput(
+          fmt::format("the map: face {} is out of range; there are {}", point.face, onto_faces));
 }
 
-void check_map(int from_vertices, const Mesh& onto, const VertexMap& map) {
+void check_map(const VertexMap& map, int from_vertices, int onto_vertices) {
   check_length(map.size(), from_vertices);
   for (const int vertex : map)
-    if (vertex < kUnmatched || vertex >= onto.num_vertices())
-      throw InvalidInput(fmt::format("the map: vertex {} is out of range; there are {}", vertex,
-                                     onto.num_vertices()));
+    if (vertex < kUnmatched || vertex >= onto_vertices)
+      throw InvalidInput(
+          fmt::format("the map: vertex {} is out of range; there are {}", vertex, onto_vertices));
 }
 
 SurfaceMap corner_points(const Mesh& mesh) {

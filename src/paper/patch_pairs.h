@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 #include "paper/distortion.h"
 #include "paper/merging.h"
 #include "paper/patch_matching.h"

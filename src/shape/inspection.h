@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/shape/diagnosis.h"
 #include "shape/extraction.h"
 
 namespace isomatch {

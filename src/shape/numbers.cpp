@@ -27,18 +27,8 @@ SurfacePoint turned(const SurfacePoint& point, int face, bool is_turned) {
   return result;
 }
 
-void check_length(std::size_t length, const Surface& source) {
-  if (length != source.surface_vertex.size())
-    throw InvalidInput(
-        fmt::format("the map has {} points for {} vertices", length, source.surface_vertex.size()));
-}
-
-void check_faces(const SurfaceMap& map, int num_faces) {
-  for (const SurfacePoint& point : map) {
-    if (point.face < kNoFace || point.face >= num_faces)
-      throw InvalidInput(
-          fmt::format("the map leads to face {}: there are {}", point.face, num_faces));
-  }
+int num_input_vertices(const Surface& surface) {
+  return static_cast<int>(surface.surface_vertex.size());
 }
 
 void sort_without_repetition(Correspondence& matches) {
@@ -69,8 +59,7 @@ SurfaceMatches on_surfaces(const Surface& source, const Surface& target,
 }
 
 SurfacePoints on_surfaces(const Surface& source, const Surface& target, const SurfaceMap& map) {
-  check_length(map.size(), source);
-  check_faces(map, target.num_input_faces);
+  check_map(map, num_input_vertices(source), target.num_input_faces);
   const std::vector<int> surface_face = surface_faces(target);
   SurfaceMap result(source.num_vertices());
   for (std::size_t v = 0; v < result.size(); ++v) {
@@ -84,10 +73,10 @@ SurfacePoints on_surfaces(const Surface& source, const Surface& target, const Su
 
 OnSurface<VertexMap> on_surfaces(const Surface& source, const Surface& target,
                                  const VertexMap& map) {
-  check_length(map.size(), source);
+  check_map(map, num_input_vertices(source), num_input_vertices(target));
   VertexMap result;
   for (int v : source.input_vertex)
-    result.push_back(map[v] == kUnmatched ? kUnmatched : surface_vertex(target, map[v]));
+    result.push_back(map[v] == kUnmatched ? kUnmatched : target.surface_vertex[map[v]]);
   return OnSurface(std::move(result));
 }
 

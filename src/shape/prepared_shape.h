@@ -7,7 +7,7 @@
 #include <mutex>
 #include <typeindex>
 
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 #include "shape/memo.h"
 #include "shape/metric_surface.h"
 #include "shape/surface.h"

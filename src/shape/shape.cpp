@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 
 #include <utility>
 

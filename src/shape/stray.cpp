@@ -10,8 +10,8 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/kd_tree.h"
-#include "isomatch/mesh/diagnosis.h"
 #include "isomatch/mesh/topology.h"
+#include "isomatch/shape/diagnosis.h"
 
 namespace isomatch {
 namespace {

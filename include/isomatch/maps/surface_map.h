@@ -26,10 +26,11 @@ using SurfaceMap = std::vector<SurfacePoint>;
 /// Where `point`, which must have a face, lies in space.
 Point position(const Mesh& mesh, const SurfacePoint& point);
 
-/// Throws `InvalidInput` unless `map` has a point on `onto`, or none, for each of `from_vertices`.
-void check_map(int from_vertices, const Mesh& onto, const SurfaceMap& map);
-/// Likewise for a vertex, or `kUnmatched`.
-void check_map(int from_vertices, const Mesh& onto, const VertexMap& map);
+/// Throws `InvalidInput` unless `map` has a point, or none, on one of so many faces for each of
+/// `from_vertices`.
+void check_map(const SurfaceMap& map, int from_vertices, int onto_faces);
+/// Likewise for one of so many vertices, or `kUnmatched`.
+void check_map(const VertexMap& map, int from_vertices, int onto_vertices);
 
 /// The vertex with the largest weight of each point (the first of equal ones), `kUnmatched` where
 /// there is none.

@@ -8,7 +8,7 @@
 
 #include "isomatch/context.h"
 #include "isomatch/maps/surface_map.h"
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 
 /// Whether a map can be trusted, judged from the map and the two surfaces alone.
 namespace isomatch {

@@ -9,7 +9,7 @@
 #include "isomatch/context.h"
 #include "isomatch/maps/correspondence.h"
 #include "isomatch/maps/surface_map.h"
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 
 /// How good a correspondence is, whatever made it. Matches of vertices that are not part of the
 /// shapes' surfaces are left out, and so are template points there; copies of a vertex at a seam

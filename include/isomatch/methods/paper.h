@@ -7,8 +7,8 @@
 
 #include "isomatch/context.h"
 #include "isomatch/maps/correspondence.h"
-#include "isomatch/mesh/shape.h"
 #include "isomatch/methods/sampling.h"
+#include "isomatch/shape/shape.h"
 #include "isomatch/stage_times.h"
 
 namespace isomatch {

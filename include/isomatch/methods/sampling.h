@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "isomatch/context.h"
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 
 /// Which vertices stand out, and evenly spread base vertices (Section 3 of the paper). What has one
 /// value a vertex is NaN where a vertex is not part of the surface.

@@ -7,7 +7,7 @@
 #include "isomatch/context.h"
 #include "isomatch/maps/correspondence.h"
 #include "isomatch/maps/surface_map.h"
-#include "isomatch/mesh/shape.h"
+#include "isomatch/shape/shape.h"
 #include "isomatch/stage_times.h"
 
 namespace isomatch {

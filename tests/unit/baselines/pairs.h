@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "isomatch/measure/metrics.h"
-#include "isomatch/mesh/shape.h"
 #include "isomatch/mesh/synth.h"
+#include "isomatch/shape/shape.h"
 #include "shape/numbers.h"
 #include "shape/prepared_shape.h"
 #include "support/random.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/shape/diagnosis.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -241,8 +241,8 @@ TEST_F(JumbledNumbers, MapsThatDoNotFitThrow) {
   const auto expect_rejected = [&](const SurfaceMap& map, const std::string& message) {
     expect_invalid([&] { on_surfaces(surface_, surface_, map); }, message);
   };
-  expect_rejected(SurfaceMap(mesh_.vertices.size() - 1), "points for");
-  expect_rejected(SurfaceMap(surface_.mesh.vertices.size()), "points for");
+  expect_rejected(SurfaceMap(mesh_.vertices.size() - 1), "points, but the mesh");
+  expect_rejected(SurfaceMap(surface_.mesh.vertices.size()), "points, but the mesh");
   // Whatever the vertex: on the surface, the second of two copies, off the surface.
   for (const int vertex : {alone_, copy_, 0}) {
     SurfaceMap map(mesh_.vertices.size());

@@ -14,7 +14,7 @@
 
 #include "isomatch/error.h"
 #include "isomatch/geodesics/geodesics.h"
-#include "isomatch/mesh/diagnosis.h"
+#include "isomatch/shape/diagnosis.h"
 
 namespace isomatch {
 namespace {

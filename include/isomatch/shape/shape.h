@@ -7,8 +7,8 @@
 
 #include "isomatch/context.h"
 #include "isomatch/geodesics/geodesics.h"
-#include "isomatch/mesh/diagnosis.h"
 #include "isomatch/mesh/mesh.h"
+#include "isomatch/shape/diagnosis.h"
 
 namespace isomatch {
 
