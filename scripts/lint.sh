@@ -1,5 +1,5 @@
 #!/bin/bash
-# Checks the sources' formatting, or runs clang-tidy on those that changed since it last passed,
+# Checks the sources' formatting and who includes whom, or runs clang-tidy on those that changed since it last passed,
 # which needs a built preset.
 # Usage: scripts/lint.sh format | scripts/lint.sh tidy PRESET
 set -euo pipefail
@@ -14,6 +14,7 @@ case ${1:-} in
   format)
     find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort |
       xargs clang-format --dry-run -Werror
+    scripts/check_includes.py
     ;;
   tidy)
     scripts/tidy.py "build/$2"
