@@ -61,8 +61,7 @@ void detail(benchmark::State& state) {
     state.PauseTiming();
     const PreparedShape shape(given.source_shape.mesh(), {});
     state.ResumeTiming();
-    benchmark::DoNotOptimize(
-        make_detail(shape, *shape.surface(), given.options.pyramid.detail_vertices, {}));
+    benchmark::DoNotOptimize(make_detail(shape, *shape.surface(), given.options.pyramid, {}));
   }
 }
 

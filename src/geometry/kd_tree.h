@@ -59,8 +59,8 @@ class KdTree {
     std::size_t size() const { return size_; }
     bool full() const { return size_ == K; }
     /// Only what is less is offered: a little more, for the sake of ties.
-    double worstDist() const { return bound_; }
-    bool addPoint(double distance, int index) {
+    double worstDist() const { return bound_; }  // NOLINT(readability-identifier-naming)
+    bool addPoint(double distance, int index) {  // NOLINT(readability-identifier-naming)
       std::size_t at = size_;
       for (; at > 0 && is_before(distance, index, at - 1); --at) {
         if (at == K) continue;

@@ -64,7 +64,7 @@ class MatCursor {
 
   template <class T>
   T load(std::string_view bytes) const {
-    return isomatch::load<T>(bytes.data(), order_);
+    return isomatch::load<T>(std::to_address(bytes.begin()), order_);
   }
 
   Element take() {
