@@ -336,7 +336,6 @@ def match(
     landmarks: Union[None, ArrayLike, PathLike] = None,
     *,
     geodesics: Geodesics = 'w20',
-    seed: int = 0,
     threads: Optional[int] = None,
     progress: Progress = None,
     allow_reflection: bool = False,

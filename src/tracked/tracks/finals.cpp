@@ -78,14 +78,14 @@ Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, cons
                   const Context& context) {
   // Where of the whole the tracks are through the middle and through the fine level.
   constexpr double kMiddle = 0.4, kFine = 0.8;
-  const Refinement tracking(target, options, context);
+  const Refinement refinement(target, options, context);
   const int finalists = std::max(options.finalists, options.different_maps);
   const int entrants =
       options.different_maps > 1 ? static_cast<int>(judged.size()) : options.entrants;
   context.check_stop();
   const std::vector<Track> middle =
       ranked(all_tracks(judged, entrants, part_of(context, 0, kMiddle),
-                        [&](const Judged& j) { return tracking.begin(j); }),
+                        [&](const Judged& j) { return refinement.begin(j); }),
              options);
   context.check_stop();
   Finals finals;
@@ -93,7 +93,7 @@ Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, cons
   const std::vector<const Track*> last = finalists_of(middle, judged.front(), finalists);
   finals.tracks =
       ranked(all_tracks(last, static_cast<int>(last.size()), part_of(context, kMiddle, kFine),
-                        [&](const Track* track) { return tracking.finish(*track); }),
+                        [&](const Track* track) { return refinement.finish(*track); }),
              options);
   finals.ambiguity =
       ambiguity(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks : middle);
@@ -103,7 +103,7 @@ Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, cons
   if (options.rounds == 0) return finals;
   Steps steps(context, kRefinementStage, kFine, 1, static_cast<int>(finals.tracks.size()));
   for (Track& track : finals.tracks) {
-    settle_with_reverse(track, tracking, target, options, context);
+    settle_with_reverse(track, refinement, target, options, context);
     steps.take();
   }
   return finals;
@@ -115,11 +115,11 @@ SurfaceMatches contradicted_landmarks(const Pyramid& target,
   if (contradicting.empty()) return {};
   const Context silent{.threads = context.threads, .progress = {}, .stop = context.stop};
   const SurfaceMatches landmarks = std::exchange(options.landmarks, {});
-  const Refinement tracking(target, options, silent);
+  const Refinement refinement(target, options, silent);
   std::optional<Correspondence> fewest;
   for (const Track& track :
        all_tracks(contradicting, options.entrants, silent,
-                  [&](const Judged& judged) { return tracking.begin(judged); })) {
+                  [&](const Judged& judged) { return refinement.begin(judged); })) {
     if (options.contradiction * track.cost() > middle_cost) continue;
     Correspondence contradicted;
     for (const Match& landmark : *landmarks)

@@ -17,13 +17,13 @@ Options reversed(Options options) {
 }
 
 /// The target, registered onto the source.
-Track reverse_track(const Track& track, const Refinement& tracking, const Pyramid& target,
+Track reverse_track(const Track& track, const Refinement& refinement, const Pyramid& target,
                     const Options& options, const Context& context) {
   const Pyramid& source = *track.judged.source;
   Judged judged = track.judged;
   judged.source = &target;
   return Refinement(source, options, context)
-      .fine_rounds(judged, node_vertices(source.proxy, tracking.nearest_nodes(track)),
+      .fine_rounds(judged, node_vertices(source.proxy, refinement.nearest_nodes(track)),
                    std::max(0, options.rounds - options.reverse_rounds));
 }
 
@@ -44,9 +44,9 @@ std::vector<Point> places_below(const Level& nodes, const Proxy& source, const P
 
 }  // namespace
 
-void settle_with_reverse(Track& track, const Refinement& tracking, const Pyramid& target,
+void settle_with_reverse(Track& track, const Refinement& refinement, const Pyramid& target,
                          const Options& options, const Context& context) {
-  const Track reverse = reverse_track(track, tracking, target, reversed(options), context);
+  const Track reverse = reverse_track(track, refinement, target, reversed(options), context);
   std::vector<Point> anchors = places_below(*track.source, track.judged.source->proxy, target.proxy,
                                             reverse, options.fine_projection);
   for (std::size_t i = 0; i < anchors.size(); ++i) {
@@ -55,7 +55,7 @@ void settle_with_reverse(Track& track, const Refinement& tracking, const Pyramid
         (anchors[i] - own).norm() < options.max_disagreement ? Point((anchors[i] + own) / 2) : own;
   }
   elastic::Registration judged = track.registration;
-  tracking.settle(track, anchors);
+  refinement.settle(track, anchors);
   judged.feet = std::move(track.registration.feet);
   track.registration = std::move(judged);
 }

@@ -10,7 +10,7 @@ namespace isomatch::tracked {
 /// source. The track ends half way between both maps where they agree roughly: what a registration
 /// does wrong depends on which of the shapes it bends, so the mean is closer to the truth.
 /// The energy, distance and deviation of the track stay those by which it was judged.
-void settle_with_reverse(Track& track, const Refinement& tracking, const Pyramid& target,
+void settle_with_reverse(Track& track, const Refinement& refinement, const Pyramid& target,
                          const Options& options, const Context& context = {});
 
 }  // namespace isomatch::tracked
