@@ -106,9 +106,11 @@ TrackedMap tracked_map(const Shape& source, const Shape& target, const Track& tr
                        DenseMap dense) {
   const Surface& from = *source.prepared().surface();
   const Surface& onto = *target.prepared().surface();
+  // A mirror image has its faces turned the other way.
+  const Surface& tracked = *track.judged.source->surface;
   for (Point& p : dense.registered) p = p * onto.scale + onto.centre;
   return {.source_to_target = to_input(from, onto, dense.source_to_target),
-          .target_to_source = to_input(onto, from, dense.target_to_source),
+          .target_to_source = to_input(onto, tracked, dense.target_to_source),
           .registered = at_input(source.mesh(), from, dense.registered),
           .energy = track.registration.energy,
           .distance = track.registration.distance,
