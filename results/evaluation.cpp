@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 
@@ -85,8 +82,6 @@ Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap&
   result.orientation = map_orientation(source, target, map.matches, {}, context);
   result.distortion =
       isometric_distortion(source, target, map.matches, options.distortion, context);
-  result.matches = static_cast<int>(std::ranges::count_if(
-      result.distortion.per_match, [](double d_iso) { return !std::isnan(d_iso); }));
   return result;
 }
 
@@ -98,7 +93,7 @@ Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap&
 }
 
 Json to_json(const Evaluation& evaluation) {
-  Json json = {{"matches", evaluation.matches},
+  Json json = {{"matches", evaluation.distortion.matches},
                {"d_iso_over_max_geodesic",
                 {{"mean", evaluation.distortion.mean}, {"maximum", evaluation.distortion.maximum}}},
                {"target_hit",

@@ -57,8 +57,6 @@ struct TruthEvaluation {
 
 /// All that `isomatch eval` says of a map.
 struct Evaluation {
-  /// Those between the surfaces.
-  int matches = 0;
   IsometricDistortion distortion;
   Coverage coverage;
   MapOrientation orientation;

@@ -58,7 +58,7 @@ void print(std::string_view name, const results::TruthEvaluation& truth) {
 
 void print(const results::Evaluation& evaluation) {
   const MapOrientation& orientation = evaluation.orientation;
-  fmt::print("{} matches\n", evaluation.matches);
+  fmt::print("{} matches\n", evaluation.distortion.matches);
   fmt::print("  D_iso / maximum geodesic        mean {:.4f}  maximum (d_iso-dagger) {:.4f}\n",
              evaluation.distortion.mean, evaluation.distortion.maximum);
   fmt::print("  target hit                      {:.1f} % of vertices, {:.1f} % of area\n",

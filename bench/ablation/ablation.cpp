@@ -30,7 +30,7 @@ namespace isomatch {
 namespace {
 
 struct Pair {
-  Shape source, target;
+  Mesh source, target;
   GroundTruth truth;
 };
 
@@ -40,8 +40,8 @@ std::vector<Pair> read_pairs(const std::string& path) {
   std::vector<Pair> pairs;
   std::string source, target, source_truth, target_truth;
   while (file >> source >> target >> source_truth >> target_truth)
-    pairs.push_back({Shape(read_mesh(source)),
-                     Shape(read_mesh(target)),
+    pairs.push_back({read_mesh(source),
+                     read_mesh(target),
                      {read_ground_truth(source_truth, {}), read_ground_truth(target_truth, {})}});
   return pairs;
 }
@@ -65,28 +65,40 @@ tracked::Options changed(const std::string& line) {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// -1 if there is no map. Shapes keep what is prepared of them, unless `anew`.
-double error_of(const Pair& pair, const tracked::Options& options, bool anew) {
-  const Shape source = anew ? Shape(pair.source.mesh()) : pair.source;
-  const Shape target = anew ? Shape(pair.target.mesh()) : pair.target;
+struct Outcome {
+  /// -1 if there is no map.
+  double error = -1;
+  double seconds = 0;
+};
+
+/// Shapes are prepared anew, so that the time is always that of all stages.
+Outcome matched(const Pair& pair, const tracked::Options& options) {
+  const Shape source(pair.source), target(pair.target);
+  Outcome outcome;
+  const double start = cpu_seconds();
   try {
     const TrackedResult result = tracked::match(source, target, {}, options, {});
-    return 100 *
-           point_errors(source, target, pair.truth, result.maps.front().source_to_target).mean;
+    outcome.seconds = cpu_seconds() - start;
+    outcome.error =
+        100 * point_errors(source, target, pair.truth, result.maps.front().source_to_target).mean;
   } catch (const InvalidInput&) {
-    return -1;
+    outcome.seconds = cpu_seconds() - start;
   }
+  return outcome;
 }
 
 void run(const std::string& file) {
   const std::vector<Pair> pairs = read_pairs(file);
   for (std::string line; std::getline(std::cin, line);) {
     const tracked::Options options = changed(line);
-    const bool is_of_shapes = line.starts_with("pyramid.");
     std::vector<double> errors;
-    const double start = cpu_seconds();
-    for (const Pair& pair : pairs) errors.push_back(error_of(pair, options, is_of_shapes));
-    fmt::print("{:.3f} {:.2f}\n", fmt::join(errors, " "), cpu_seconds() - start);
+    double seconds = 0;
+    for (const Pair& pair : pairs) {
+      const Outcome outcome = matched(pair, options);
+      errors.push_back(outcome.error);
+      seconds += outcome.seconds;
+    }
+    fmt::print("{:.3f} {:.2f}\n", fmt::join(errors, " "), seconds);
     std::fflush(stdout);
   }
 }

@@ -24,7 +24,7 @@ from ._types import Method, PathLike, Progress, TruthLike
 class Hypothesis(NamedTuple):
     """A hypothesis of the tracked method that was judged."""
 
-    #: Mean isometric distortion, over the largest geodesic distances.
+    #: Mean isometric distortion, over sqrt(area).
     distortion: float
     #: Local orientation in [-1, 1].
     orientation: float

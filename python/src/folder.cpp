@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "folder.h"
-
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
@@ -17,6 +15,8 @@
 #include "isomatch/mesh/topology.h"
 #include "results/files/written_files.h"
 #include "results/folder/levels.h"
+#include "results/folder/result.h"
+#include "state.h"
 
 namespace fs = std::filesystem;
 namespace py = pybind11;
@@ -250,8 +250,8 @@ std::string geodesics_of(const MatchResult& folder) {
   });
 }
 
-}  // namespace
-
+/// Reads the folder. Meshes that were given as arrays lie in it, wherever it is now; others are
+/// looked for where they were, unless `places` tells. Throws `BadFile`.
 MatchResult load_folder(const std::string& folder, results::MeshPlaces places) {
   for (auto& [place, name] : {std::pair<std::string&, const char*>(places.source, "source.ply"),
                               std::pair<std::string&, const char*>(places.target, "target.ply")}) {
@@ -260,12 +260,15 @@ MatchResult load_folder(const std::string& folder, results::MeshPlaces places) {
   return results::load_result(folder, places);
 }
 
+/// The landmarks of the match, source and target vertices; none if their file is not there any
+/// more. Throws `BadFile`.
 std::vector<Match> landmarks_of(const MatchResult& folder) {
   const std::string file = landmark_file(folder);
   if (file.empty() || !fs::exists(file)) return {};
   return read_landmarks(file, {folder.source.num_vertices(), folder.target.num_vertices()});
 }
 
+/// The match that `folder` tells of, between the meshes that it was made of. Throws `BadFile`.
 TrackedMatch tracked_of(const MatchResult& folder, const MatchInput& source,
                         const MatchInput& target) {
   TrackedMatch match{{to_inputs(source, target), folder.report.at("options")}};
@@ -284,6 +287,8 @@ TrackedMatch tracked_of(const MatchResult& folder, const MatchInput& source,
   return match;
 }
 
+/// The same by the paper's method. A folder does not have the order in which bases of one level
+/// were selected: they are in that of their numbers.
 results::PaperRun paper_of(const MatchResult& folder, const MatchInput& source,
                            const MatchInput& target) {
   Bases sources(source.shape), targets(target.shape);
@@ -304,6 +309,8 @@ results::PaperRun paper_of(const MatchResult& folder, const MatchInput& source,
   return {to_inputs(source, target), folder.report.at("options"), std::move(result), max_geodesics,
           std::move(fit)};
 }
+
+}  // namespace
 
 void bind_folder(py::module_& module) {
   py::class_<MatchResult>(module, "Folder")

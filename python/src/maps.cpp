@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <optional>
 
 #include "arrays.h"
 #include "bindings.h"
-#include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 #include "shapes.h"
 

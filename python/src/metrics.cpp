@@ -2,14 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/measure/metrics.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <limits>
 
 #include "arrays.h"
 #include "bindings.h"
-#include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 #include "options.h"
 #include "results/evaluation.h"

@@ -8,7 +8,6 @@
 #include "options.h"
 #include "results/folder/base_matches.h"
 #include "results/folder/paper_output.h"
-#include "results/folder/result.h"
 #include "run.h"
 #include "shapes.h"
 #include "state.h"

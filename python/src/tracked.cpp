@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/methods/tracked.h"
 
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "arrays.h"

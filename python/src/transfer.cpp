@@ -16,7 +16,6 @@
 #include "isomatch/carry/texture_transfer.h"
 #include "isomatch/error.h"
 #include "options.h"
-#include "results/folder/result.h"
 #include "run.h"
 #include "shapes.h"
 #include "textures.h"

@@ -8,7 +8,6 @@
 #include <map>
 #include <string_view>
 
-#include "isomatch/error.h"
 #include "isomatch/io/material_libraries.h"
 #include "results/files/image_line.h"
 

@@ -11,7 +11,6 @@
 
 #include "isomatch/error.h"
 #include "isomatch/io/atomic_file.h"
-#include "isomatch/io/material_libraries.h"
 #include "isomatch/io/mesh_io.h"
 
 namespace isomatch::results {

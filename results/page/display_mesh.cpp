@@ -5,7 +5,6 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/kd_tree.h"
 #include "geometry/simplify.h"

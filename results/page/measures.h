@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include <algorithm>
 
 #include "geometry/walk.h"
 #include "geometry/weld.h"

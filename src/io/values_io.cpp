@@ -18,7 +18,6 @@
 #include "io/number_table.h"
 #include "io/text_cursor.h"
 #include "io/whole_number.h"
-#include "isomatch/error.h"
 
 namespace isomatch {
 namespace {

@@ -128,6 +128,7 @@ IsometricDistortion isometric_distortion(const Shape& source, const Shape& targe
     const std::vector<double> d_iso =
         measured(source.prepared().metric(context), target.prepared().metric(context), between,
                  options.list_size, context);
+    result.matches = static_cast<int>(d_iso.size());
     result.maximum = *std::ranges::max_element(d_iso);
     result.mean =
         std::accumulate(d_iso.begin(), d_iso.end(), 0.0) / static_cast<double>(d_iso.size());

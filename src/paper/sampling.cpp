@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "isomatch/error.h"
 #include "isomatch/methods/sampling.h"
 #include "parallel.h"
 #include "shape/numbers.h"
@@ -65,6 +66,7 @@ float BaseNeighbourhoods::distance(int a, int b) const {
 
 std::vector<int> sample_bases(const Shape& shape, std::span<const int> order, double radius,
                               const Context& context) {
+  if (!(radius >= 0)) throw InvalidInput("radius must not be negative");
   const Surface& surface = *shape.prepared().surface();
   const SurfaceVertices first = on_surface(surface, order, "order: vertex");
   const auto scaled = static_cast<float>(radius / surface.scale);

@@ -12,12 +12,12 @@ namespace isomatch {
 
 /// The base vertices of one shape at one level and what their patches cover (Section 3).
 struct BaseSampling {
-  /// Sampling radius r(k), in units of the shape.
+  /// Sampling radius r(k), over sqrt(area).
   float radius = 0;
   /// S(k) in the order of selection: S(k-1) comes first, so that an index into this list means the
   /// same base vertex at all later levels.
   std::vector<int> bases;
-  /// Area of the largest patch, in squared units of the shape.
+  /// Area of the largest patch, over the area.
   double largest_patch_area = 0;
 };
 

@@ -4,14 +4,13 @@
 
 #include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 namespace isomatch {
 
 /// Values that are made when they are first asked for, by key, and kept. Safe to share by threads:
 /// who asks for what another one is making waits for it. If making throws, it is not made, and
-/// tried again the next time.
+/// tried again the next time. What is made must not ask for itself.
 template <class Key, class Value>
 class Memo {
  public:

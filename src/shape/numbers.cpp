@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "geometry/kd_tree.h"
 #include "isomatch/error.h"
@@ -125,7 +126,7 @@ std::vector<int> to_input(const Surface& surface, const SurfaceVertices& vertice
 
 std::vector<Point> at_input(const Mesh& input, const Surface& surface,
                             const std::vector<Point>& positions) {
-  const KdTree<3> tree(surface.mesh.vertices);
+  std::optional<KdTree<3>> tree;  // As a rule all vertices are on the surface.
   std::vector<Point> result;
   for (int v = 0; v < input.num_vertices(); ++v) {
     const int own = surface.surface_vertex[v];
@@ -134,7 +135,8 @@ std::vector<Point> at_input(const Mesh& input, const Surface& surface,
       continue;
     }
     const Point& place = input.vertices[v];
-    const int leader = tree.nearest((place - surface.centre) / surface.scale);
+    if (!tree) tree.emplace(surface.mesh.vertices);
+    const int leader = tree->nearest((place - surface.centre) / surface.scale);
     result.emplace_back(place + positions[leader] - input.vertices[surface.input_vertex[leader]]);
   }
   return result;

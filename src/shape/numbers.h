@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <limits>
 #include <span>
 #include <string_view>
 #include <utility>

@@ -16,10 +16,7 @@ const Mesh& Shape::mesh() const { return prepared_->mesh(); }
 
 const MeshDiagnosis& Shape::diagnosis() const { return prepared_->diagnosis(); }
 
-double Shape::area() const {
-  const double scale = prepared_->surface()->scale;
-  return scale * scale;
-}
+double Shape::area() const { return prepared_->surface()->area; }
 
 int Shape::num_surface_vertices() const { return prepared_->surface()->num_vertices(); }
 

@@ -13,6 +13,7 @@ namespace {
 
 void scale_to_unit_area(double area, Surface& surface) {
   Mesh& mesh = surface.mesh;
+  surface.area = area;
   surface.scale = std::sqrt(area);
   surface.centre = std::accumulate(mesh.vertices.begin(), mesh.vertices.end(), Point(0, 0, 0)) /
                    mesh.num_vertices();

@@ -10,12 +10,14 @@
 namespace isomatch {
 
 /// The part of a mesh that is matched, scaled to unit area and centred. Its vertices and faces have
-/// numbers of their own, which do not leave `src`: see shape/numbers.h.
+/// numbers of their own, which public functions never take or give: see shape/numbers.h.
 struct Surface {
   /// Faces are turned outwards if `oriented`.
   Mesh mesh;
   /// Coordinates of the caller's mesh are `scale` times those of `mesh` plus `centre`.
   double scale = 1;
+  /// Of the surface in those coordinates.
+  double area = 1;
   Point centre{0, 0, 0};
   IndexLists faces;
   /// Whether it is known which side is outside.

@@ -35,6 +35,9 @@ void Options::validate() const {
   });
   if (pyramid.coarse_nodes > pyramid.proxy.nodes || pyramid.middle_nodes > pyramid.proxy.nodes)
     throw InvalidInput("the coarse levels have more nodes than the fine one");
+  // Mending looks at distances from all nodes of the middle level.
+  if (pyramid.middle_nodes > pyramid.proxy.measured_nodes)
+    throw InvalidInput("the middle level has more nodes than distances are measured from");
 }
 
 }  // namespace isomatch::tracked

@@ -55,9 +55,9 @@ struct FitOptions {
 };
 
 /// Judges `source_to_target`, which has a point, or none, for each vertex of the source, whatever
-/// made it. A map that is left-right flipped as a whole, has limbs
-/// exchanged or leaves a part out is found; one that slides along the surface is not. The limits
-/// are calibrated by bench/tables/verdict.py. Deterministic for any number of threads. Throws
+/// made it. A map that is left-right flipped as a whole, has limbs exchanged or leaves a part out
+/// is found; one that slides along the surface is not. The limits are calibrated by
+/// bench/tables/verdict.py. Deterministic for any number of threads. Throws
 /// `InvalidInput` if the map does not fit the surfaces. O(N log N).
 Fit judge_fit(const Shape& source, const Shape& target, const SurfaceMap& source_to_target,
               const FitOptions& options = {}, const Context& context = {});

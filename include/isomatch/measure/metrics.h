@@ -90,8 +90,8 @@ struct DistortionOptions {
   /// Length E of the list xi' in equation 2: matches of evenly spread source vertices. If it is at
   /// least the number of matches, the equations are evaluated exactly. A shorter list weighs the
   /// surface by area, where all matches weigh it by vertices: with 500, D_iso of four maps between
-  /// meshes of 5,000 vertices was within 5 % of the exact value (.0136 for .0142), with 50 within 6
-  /// %.
+  /// meshes of 5,000 vertices was within 5 % of the exact value (.0136 for .0142), with 50 within
+  /// 6 %.
   int list_size = 500;
 
   void validate() const;
@@ -99,6 +99,8 @@ struct DistortionOptions {
 
 /// Equations 1, 2 and 4, with distances relative to each surface's own largest one.
 struct IsometricDistortion {
+  /// Matches between the surfaces: copies of a vertex at a seam count once.
+  int matches = 0;
   /// D_iso, the mean over all matches.
   double mean = 0;
   /// d_iso-dagger, the maximum over all matches.

@@ -135,7 +135,7 @@ JointSampling sample_jointly(const Shape& source, const Shape& target, int level
 
 /// The method of the paper: coarse-to-fine joint sampling, patch-based combinatorial matching and
 /// three-step merging, level by level. Departures from the text stand, with their reasons, at
-/// `RadiusOptions`, `PaperOptions::coarse_candidates`, `PatchMatchingOptions` and `merge_matches`.
+/// `RadiusOptions`, `PaperOptions::coarse_candidates`, `PatchMatchingOptions` and `MergingOptions`.
 /// O(N log N). Deterministic for any number of threads. Throws `InvalidInput` if an option is out
 /// of range, `Cancelled` if `context` says so.
 PaperResult match_paper(const Shape& source, const Shape& target, const PaperOptions& options = {},

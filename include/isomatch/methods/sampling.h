@@ -44,7 +44,8 @@ std::vector<int> descending_order(std::span<const double> saliency);
 
 /// Adds to none the first vertex of `order` that is not within `radius`, in units of the mesh, of
 /// a vertex chosen before, until all are. Vertices of `order` must be part of the surface. With
-/// radius 0 all are chosen. Throws `InvalidInput` if a vertex is not. Cost: one ball a base.
+/// radius 0 all are chosen. Throws `InvalidInput` if a vertex is not, or the radius is
+/// negative. Cost: one ball a base.
 std::vector<int> sample_bases(const Shape& shape, std::span<const int> order, double radius,
                               const Context& context = {});
 

@@ -95,8 +95,8 @@ TrackedResult match_tracked(const Shape& source, const Shape& target,
                             const TrackedOptions& options = {}, const Context& context = {});
 
 /// A many-to-many relation in which every vertex of both surfaces occurs, with all its copies at
-/// seams: `source_to_target` at its
-/// nearest vertices, and the nearest source of each target vertex that it does not hit.
+/// seams: `source_to_target` at its nearest vertices, and the nearest source of each target vertex
+/// that it does not hit.
 Correspondence matches(const Shape& source, const Shape& target, const TrackedMap& map);
 
 }  // namespace isomatch

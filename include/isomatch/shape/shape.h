@@ -28,7 +28,8 @@ class PreparedShape;
 ///
 /// Inside, the surface is scaled to unit area. What matching and measuring need besides (geodesic
 /// graph, largest distance, simplified copies, eigenfunctions) is computed when it is first needed,
-/// and kept. A copy shares all of it. Safe to use from several threads.
+/// and kept: some 30 MB for a shape of 5,000 vertices that was matched. A copy shares all of it.
+/// Safe to use from several threads, of which one waits while another one computes the same.
 class Shape {
  public:
   /// `geodesics` is for the paper's method and for measures; the tracked method has its own. Throws
@@ -46,7 +47,8 @@ class Shape {
   /// Whether a vertex is part of the surface. Throws `InvalidInput` if there is no such vertex.
   bool on_surface(int vertex) const;
   /// The vertices that are the same place of the surface, ascending, with `vertex` itself; none if
-  /// it is not part of it. Throws `InvalidInput` if there is no such vertex.
+  /// it is not part of it. Valid as long as a copy of the shape lives. Throws `InvalidInput` if
+  /// there is no such vertex.
   std::span<const int> copies(int vertex) const;
   /// The largest geodesic distance on the surface, in units of the mesh, see `geodesic_diameter`.
   double max_geodesic(const Context& context = {}) const;

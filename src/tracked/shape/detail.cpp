@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "tracked/shape/detail.h"
 
-#include <algorithm>
-
 #include "geometry/simplify.h"
 #include "geometry/walk.h"
 #include "parallel.h"

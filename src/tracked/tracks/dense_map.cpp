@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "tracked/tracks/dense_map.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -51,7 +51,9 @@ TEST(Options, OutOfRangeAreNamed) {
   EXPECT_THAT(complaint("judging.first_length", -1), HasSubstr("judging.first_length"));
   EXPECT_THAT(complaint("mending.tolerable", std::numeric_limits<double>::quiet_NaN()),
               HasSubstr("mending.tolerable"));
-  EXPECT_THAT(complaint("pyramid.middle_nodes", 5000), HasSubstr("more nodes"));
+  EXPECT_THAT(complaint("pyramid.middle_nodes", 5000), HasSubstr("more nodes than the fine"));
+  EXPECT_THAT(complaint("pyramid.middle_nodes", 800), HasSubstr("more nodes than distances"));
+  EXPECT_THAT(complaint("pyramid.proxy.measured_nodes", 250), HasSubstr("than distances"));
 }
 
 TEST(Options, ThatMayBeNothingMayBeZero) {
