@@ -33,6 +33,8 @@ nitpick_ignore_regex = [
     (r"cpp:.*", r"(std|Eigen)(::.*)?"),
     (r"cpp:.*", r"(uint64_t|size_t)"),
     (r"cpp:.*", r"[A-Z]\w*::(Queue|Parts|Close|Entry)|Queue|Parts|Close|Entry"),
+    # What only the library sees of a shape.
+    (r"cpp:.*", r"PreparedShape"),
 ]
 
 html_theme = "furo"

@@ -46,8 +46,6 @@ Json report_tail(const std::vector<StageTime>& times) {
           {"peak_memory_mib_after", peaks}};
 }
 
-Json options_json(const std::string& method) {
-  return {{"method", method}};
-}
+Json options_json(const std::string& method) { return {{"method", method}}; }
 
 }  // namespace isomatch::results

@@ -13,8 +13,8 @@ struct Prepared {
                     const Context& context = {})
       : shape(mesh, {}),
         surface(*shape.surface()),
-        detail(tracked::make_detail(
-            shape, surface, {.detail_vertices = surface.num_vertices()}, context)),
+        detail(tracked::make_detail(shape, surface, {.detail_vertices = surface.num_vertices()},
+                                    context)),
         proxy(tracked::make_proxy(detail, surface.oriented, options, context)) {}
 
   PreparedShape shape;
