@@ -46,7 +46,8 @@ TEST_F(DetailOfASphere, ThreadsChangeNothing) {
 TEST(Detail, OfASmallSurfaceIsTheSurface) {
   const PreparedShape shape(test::rough_sphere(3, 0.2, 1), {});
   const Surface& surface = *shape.surface();
-  const Detail detail = make_detail(shape, surface, {.detail_vertices = surface.num_vertices()}, {});
+  const Detail detail =
+      make_detail(shape, surface, {.detail_vertices = surface.num_vertices()}, {});
   EXPECT_EQ(detail.mesh.vertices, surface.mesh.vertices);
   const std::vector<int> anchor = anchors(surface, detail, {});
   for (int v = 0; v < surface.mesh.num_vertices(); ++v) EXPECT_EQ(anchor[v], v);
