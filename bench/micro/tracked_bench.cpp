@@ -25,8 +25,8 @@ struct Pair {
   explicit Pair(int vertices)
       : source_shape(creature(vertices, 1), {}),
         target_shape(creature(vertices, 2), {}),
-        source(make_pyramid(source_shape, false, options.pyramid, {})),
-        target(make_pyramid(target_shape, false, options.pyramid, {})),
+        source(make_pyramid(source_shape, {}, options.pyramid, {})),
+        target(make_pyramid(target_shape, {}, options.pyramid, {})),
         judged(judged_hypotheses(source, target, options, {}).possible),
         finals(run_finals(target, judged, options, {})) {}
 
@@ -74,7 +74,7 @@ void anchoring(benchmark::State& state) {
 void proxy(benchmark::State& state) {
   const Pair& given = pair(state);
   for (auto _ : state)
-    benchmark::DoNotOptimize(make_proxy(given.source.detail, given.source.surface->oriented,
+    benchmark::DoNotOptimize(make_proxy(given.source.detail, given.source.surface->oriented, false,
                                         given.options.pyramid.proxy, {}));
 }
 

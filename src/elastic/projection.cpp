@@ -8,11 +8,14 @@ namespace isomatch::elastic {
 
 Projection::Projection(const Mesh& mesh, const IndexLists& vertex_faces,
                        const std::vector<Point>& normals, const std::vector<Features>& features,
-                       const ProjectionWeights& weights)
+                       const ProjectionWeights& weights, std::span<const int> rim)
     : mesh_(mesh),
       vertex_faces_(vertex_faces),
       normals_(normals),
-      nearest_vertex_(mesh.vertices, normals, features, weights) {}
+      nearest_vertex_(mesh.vertices, normals, features, weights),
+      on_rim_(mesh.vertices.size(), false) {
+  for (int v : rim) on_rim_[v] = true;
+}
 
 Foot Projection::operator()(const Point& position, const Point& normal,
                             const Features& features) const {
@@ -23,6 +26,9 @@ Foot Projection::operator()(const Point& position, const Point& normal,
   const Face& face = mesh_.faces[foot.point.face];
   for (int k = 0; k < 3; ++k) foot.normal += foot.point.weights[k] * normals_[face[k]];
   foot.normal.normalize();
+  foot.on_rim = true;
+  for (int k = 0; k < 3; ++k)
+    if (foot.point.weights[k] > 0 && !on_rim_[face[k]]) foot.on_rim = false;
   return foot;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "elastic/nearest_point.h"
@@ -15,14 +16,17 @@ struct Foot {
   SurfacePoint point;
   Point position{0, 0, 0};
   Point normal{0, 0, 0};
+  /// Whether it lies on the rim of the mesh.
+  bool on_rim = false;
 };
 
 /// Finds the points of a mesh that are closest in position and normal.
 class Projection {
  public:
-  /// Keeps references.
+  /// Keeps references, but not `rim`: the vertices beyond which something may be missing.
   Projection(const Mesh& mesh, const IndexLists& vertex_faces, const std::vector<Point>& normals,
-             const std::vector<Features>& features, const ProjectionWeights& weights);
+             const std::vector<Features>& features, const ProjectionWeights& weights,
+             std::span<const int> rim = {});
 
   /// The closest point on the faces around the vertex that is closest in position, normal and
   /// features.
@@ -33,6 +37,7 @@ class Projection {
   const IndexLists& vertex_faces_;
   const std::vector<Point>& normals_;
   NearestPoint nearest_vertex_;
+  std::vector<bool> on_rim_;
 };
 
 }  // namespace isomatch::elastic

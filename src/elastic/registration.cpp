@@ -34,7 +34,7 @@ class Registrar {
       const double length =
           options_.first_length * std::pow(options_.last_length / options_.first_length, progress);
       for (int k = 0; k < options_.iterations; ++k)
-        advance(step >= options_.anchor_steps, length * length);
+        advance(step >= options_.anchor_steps, length);
     }
   }
 
@@ -44,6 +44,8 @@ class Registrar {
     const std::vector<double> energies = deformation_.energies();
     result.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
     for (int i = 0; i < deformation_.size(); ++i) {
+      result.met.push_back(meets(i, std::max(options_.reach, options_.last_length)));
+      if (!cloud_.is_inside(i)) continue;
       result.distance += cloud_.areas[i] * (deformation_.positions()[i] - feet_[i].position).norm();
       result.deviation += cloud_.areas[i] * (1 - feet_[i].normal.dot(normal(i)));
     }
@@ -59,27 +61,48 @@ class Registrar {
       feet_[i] = surface_(deformation_.positions()[i], normal(i), cloud_.features[i]);
   }
 
-  void advance(bool to_surface, double stiffness) {
+  void advance(bool to_surface, double length) {
     if (to_surface) {
       project();
-      aim_at_feet();
+      aim_at_feet(std::max(length, options_.reach));
     } else {
       for (int i = 0; i < deformation_.size(); ++i) goals_[i].anchor_weight = cloud_.areas[i];
     }
+    if (options_.reach > 0) release_outside();
     hold_pins();
-    deformation_.fit_positions(goals_, stiffness);
+    deformation_.fit_positions(goals_, length * length);
     deformation_.fit_rotations(options_.rotation_smoothness);
   }
 
-  void aim_at_feet() {
+  void aim_at_feet(double reach) {
     for (int i = 0; i < deformation_.size(); ++i) {
-      const bool compatible = feet_[i].normal.dot(normal(i)) >= options_.min_cosine;
+      const bool compatible = meets(i, reach);
       Goal& goal = goals_[i];
       goal.foot = feet_[i].position;
       goal.normal = feet_[i].normal;
       goal.weight = cloud_.areas[i] * (compatible ? 1 : options_.incompatible_weight);
       goal.anchor = goal.foot;
       goal.anchor_weight = options_.friction * goal.weight;
+    }
+  }
+
+  bool meets(int i, double reach) const {
+    return feet_[i].normal.dot(normal(i)) >= options_.min_cosine &&
+           (options_.reach == 0 || (!feet_[i].on_rim && distance(i) <= reach));
+  }
+
+  double distance(int i) const {
+    return (deformation_.positions()[i] - feet_[i].position).norm();
+  }
+
+  /// What has no counterpart is held so little that it follows what is around it.
+  void release_outside() {
+    constexpr double kLoose = 1e-6;
+    for (int i = 0; i < deformation_.size(); ++i) {
+      if (cloud_.is_inside(i)) continue;
+      goals_[i].weight = 0;
+      goals_[i].anchor = deformation_.positions()[i];
+      goals_[i].anchor_weight = kLoose * cloud_.areas[i];
     }
   }
 

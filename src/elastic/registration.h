@@ -29,11 +29,17 @@ struct RegistrationOptions {
   /// Fits of the rotations to the anchors before anything moves: rotations of neighbours spread by
   /// a ring of points each.
   int initial_rotations = 10;
+  /// Where something may be missing, points are drawn only to what is at most as far as this, or as
+  /// the length of the step, not on the rim and not on the other side; 0 where nothing is.
+  double reach = 0;
 };
 
 struct Registration {
   std::vector<Foot> feet;
-  /// Elastic energy, mean distance to the surface and mean deviation of normals, 1 - cosine.
+  /// Whether each point was drawn to its foot, see `RegistrationOptions::reach`.
+  std::vector<bool> met;
+  /// Elastic energy; distance to the surface and deviation of normals, 1 - cosine, integrated over
+  /// the points inside.
   double energy = 0, distance = 0, deviation = 0;
 };
 
@@ -42,6 +48,10 @@ struct PointCloud {
   std::vector<Point> positions, normals;
   std::vector<double> areas;
   std::vector<Features> features;
+  /// Those that have a counterpart, as far as is known. Others follow these. All if it is empty.
+  std::vector<bool> inside;
+
+  bool is_inside(int point) const { return inside.empty() || inside[point]; }
 };
 
 /// A point of the cloud that goes to a known place.

@@ -71,6 +71,13 @@ Surface mirror_image(Surface surface) {
   return surface;
 }
 
+Surface scaled(Surface surface, double size) {
+  for (Point& p : surface.mesh.vertices) p *= size;
+  for (double& area : surface.vertex_areas) area *= size * size;
+  surface.scale /= size;
+  return surface;
+}
+
 std::vector<Point> unit_normals(const Mesh& mesh) {
   std::vector<Point> normals = weighted_vertex_normals(mesh);
   for (Point& normal : normals) normal.normalize();

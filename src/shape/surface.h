@@ -9,7 +9,7 @@
 
 namespace isomatch {
 
-/// The part of a mesh that is matched, scaled to unit area and centred. Its vertices and faces have
+/// The part of a mesh that is matched, scaled to unit area, or as `scaled` says, and centred. Its vertices and faces have
 /// numbers of their own, which public functions never take or give: see shape/numbers.h.
 struct Surface {
   /// Faces are turned outwards if `oriented`.
@@ -26,7 +26,7 @@ struct Surface {
   std::vector<bool> turned;
   /// Area-weighted unit normals of the vertices.
   std::vector<Point> normals;
-  /// A third of the area of the faces around each vertex; their sum is 1.
+  /// A third of the area of the faces around each vertex.
   std::vector<double> vertex_areas;
 
   /// The lowest of the caller's vertices at each vertex, and all of them: several where a seam was
@@ -47,6 +47,9 @@ Surface unit_surface(ExtractedSurface extracted);
 
 /// Its mirror image, with the same numbers.
 Surface mirror_image(Surface surface);
+
+/// In units in which it is `size` times as long.
+Surface scaled(Surface surface, double size);
 
 /// Area-weighted unit normals of the vertices.
 std::vector<Point> unit_normals(const Mesh& mesh);

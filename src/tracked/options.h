@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "elastic/registration.h"
 #include "isomatch/maps/correspondence.h"
@@ -43,6 +44,37 @@ struct PyramidOptions {
   bool operator==(const PyramidOptions&) const = default;
 };
 
+/// Shapes of which something is missing.
+struct PartialOptions {
+  /// Length of the boundary, over sqrt(area), from which a shape is taken for a part: it encloses
+  /// .02 of the area, if it is one circle.
+  double open_boundary = 0.5;
+  /// Weight of what distances differ by, where both may be the same on the whole shapes.
+  float doubt = 0.3F;
+  /// What it costs to leave out a landmark: as much distortion.
+  float landmark_price = 0.12F;
+  /// What it costs to leave out area, as elastic energy and as distance of the surfaces.
+  double energy_price = 0.3, distance_price = 0.01;
+  /// A landmark that is matched stands for what is closer than this, over sqrt(area) of the smaller
+  /// shape.
+  double landmark_reach = 0.15;
+  /// Points are drawn to a surface that is at most as far as this, or as the length of the step.
+  double reach = 0.06;
+  /// Of what is around a vertex that has a counterpart, at least so much has one.
+  double least_inside = 0.3;
+  /// What lies beyond a rim by more than this has no counterpart.
+  double beyond = 0.01;
+  /// A node of the target is covered by a node of the source that is as close as this many times
+  /// the distance of the latter from its neighbours.
+  double cover = 1.5;
+  /// Means over nodes and those around them that decide what overlaps.
+  int smoothing = 2;
+  /// Of an overlap, pieces that are smaller than this part of it do not count.
+  double min_piece = 0.05;
+
+  bool operator==(const PartialOptions&) const = default;
+};
+
 struct SeedOptions {
   /// Extremities of a shape, at most: animals have limbs, tail, ears and snout.
   int max_extremities = 10;
@@ -78,6 +110,29 @@ struct GrowthOptions {
   bool orientation = true;
   /// The first landmarks, whose matches are given and stay.
   int fixed = 0;
+  /// What it costs to leave out a landmark, infinite where nothing is missing, and the weight of
+  /// what distances differ by where both may be the same on the whole shapes.
+  float price = std::numeric_limits<float>::infinity();
+  float doubt = 1;
+};
+
+/// How motions of the whole source are found, which hypotheses begin with where shapes hardly bend.
+struct PoseOptions {
+  /// Points whose pairs vote, and the length of those pairs: longer than what makes normals differ,
+  /// no longer than what overlaps may be.
+  int source_points = 150, target_points = 250;
+  double shortest_pair = 0.1, longest_pair = 0.6;
+  /// Differences of lengths and angles (radians) that count as the same.
+  double length_bin = 0.08, angle_bin = 0.35;
+  /// Motions that are looked at for each point, of all that are improved, and that are kept.
+  int peaks = 3, improved = 60, kept = 8;
+  int iterations = 10;
+  /// Motions that differ by less than this are the same.
+  double same = 0.1;
+  /// What is as close as this, with normals that agree as much, lies on the target.
+  double close = 0.08, min_cosine = 0.5;
+  /// How much normals count as distances when the closest point is looked for.
+  double normal_weight = 0.05;
 };
 
 /// A number of landmarks, and how many maps are kept.
@@ -90,6 +145,7 @@ struct GrowthStage {
 struct HypothesisOptions {
   SeedOptions seeds;
   GrowthOptions growth;
+  PoseOptions poses;
   GrowthStage coarse{40, 200, 48};
   GrowthStage fine{100, 400, 16};
   /// Near-symmetries of the target, and hypotheses that they are applied to, at most.
@@ -125,6 +181,9 @@ struct MendingOptions {
 struct Options {
   PyramidOptions pyramid;
   HypothesisOptions hypotheses;
+  PartialOptions partial;
+  /// Whether something of the shapes may be missing.
+  bool parts = false;
   /// Different maps that are wanted.
   int different_maps = 1;
   /// Hypotheses that are followed on the middle level, all if several maps are wanted, and of these

@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <utility>
 
 #include "isomatch/error.h"
 #include "parallel.h"
+#include "shape/boundary.h"
 #include "shape/numbers.h"
 #include "shape/prepared_shape.h"
 #include "steps.h"
@@ -61,24 +63,60 @@ Correspondence those_between(const Surface& source, const Surface& target,
 /// Where of the whole stages begin, as measured on shapes of 5,000 to 42,000 vertices.
 constexpr double kHypothesesBegin = 0.28, kRefinementBegin = 0.6, kDenseMapBegin = 0.97;
 
+/// How a pair looks at its shapes.
+struct Views {
+  View source, target;
+
+  bool parts() const { return source.open || target.open; }
+};
+
+bool is_open(const Surface& surface, const PartialOptions& options) {
+  return boundary_length(surface.mesh) > options.open_boundary;
+}
+
+/// Parts are as large as they are, whole shapes alike.
+Views views_of(const Surface& source, const Surface& target, const PartialOptions& options) {
+  Views views;
+  views.source.open = is_open(source, options);
+  views.target.open = is_open(target, options);
+  if (!views.parts()) return views;
+  const double unit = std::max(source.scale, target.scale);
+  views.source.size = source.scale / unit;
+  views.target.size = target.scale / unit;
+  return views;
+}
+
+Options for_parts(Options options) {
+  options.parts = true;
+  options.hypotheses.growth.price = options.partial.landmark_price;
+  options.hypotheses.growth.doubt = options.partial.doubt;
+  for (elastic::RegistrationOptions* step :
+       {&options.judging, &options.first_registration, &options.alternation, &options.settling})
+    step->reach = options.partial.reach;
+  return options;
+}
+
 using Pyramids = std::vector<std::shared_ptr<const Pyramid>>;
 
 /// The target, the source, and the source's mirror image if that may match as well.
-Pyramids make_pyramids(const Shape& source, const Shape& target, bool with_mirror,
-                       const PyramidOptions& options, const Context& context) {
+Pyramids make_pyramids(const Shape& source, const Shape& target, const Views& views,
+                       bool with_mirror, const PyramidOptions& options, const Context& context) {
   struct Request {
     const Shape* shape;
-    bool mirrored;
+    View view;
   };
-  std::vector<Request> requests{{&target, false}, {&source, false}};
-  if (with_mirror) requests.push_back({&source, true});
+  std::vector<Request> requests{{&target, views.target}, {&source, views.source}};
+  if (with_mirror) {
+    requests.push_back({&source, views.source});
+    requests.back().view.mirrored = true;
+  }
   Steps steps(context, "shapes", 0, 1, kPyramidSteps * static_cast<int>(requests.size()));
   const Context alone{.threads = 1,
                       .progress = [&](double, std::string_view) { steps.take(); },
                       .stop = context.stop};
   Pyramids pyramids(requests.size());
   parallel_for(std::ssize(requests), context, [&](std::ptrdiff_t k) {
-    pyramids[k] = pyramid_of(requests[k].shape->prepared(), requests[k].mirrored, options, alone);
+    pyramids[k] = pyramid_of(requests[k].shape->prepared(), requests[k].view, options, alone);
   });
   return pyramids;
 }
@@ -103,12 +141,12 @@ Candidates all_judged(const Pyramids& pyramids, const Options& options, const Co
 
 /// In the caller's numbers and coordinates.
 TrackedMap tracked_map(const Shape& source, const Shape& target, const Track& track,
-                       DenseMap dense) {
+                       DenseMap dense, double unit) {
   const Surface& from = *source.prepared().surface();
   const Surface& onto = *target.prepared().surface();
   // A mirror image has its faces turned the other way.
   const Surface& tracked = *track.judged.source->surface;
-  for (Point& p : dense.registered) p = p * onto.scale + onto.centre;
+  for (Point& p : dense.registered) p = p * unit + onto.centre;
   return {.source_to_target = to_input(from, onto, dense.source_to_target),
           .target_to_source = to_input(onto, tracked, dense.target_to_source),
           .registered = at_input(source.mesh(), from, dense.registered),
@@ -117,7 +155,7 @@ TrackedMap tracked_map(const Shape& source, const Shape& target, const Track& tr
           .deviation = track.registration.deviation,
           .distortion = track.judged.hypothesis.distortion,
           .orientation = track.judged.hypothesis.orientation,
-          .mirrored = track.judged.source->mirrored};
+          .mirrored = track.judged.source->view.mirrored};
 }
 
 std::vector<TrackedMap> dense_maps(const Shape& source, const Shape& target,
@@ -126,7 +164,8 @@ std::vector<TrackedMap> dense_maps(const Shape& source, const Shape& target,
   Steps steps(context, "dense map", 0, 1, static_cast<int>(tracks.size()));
   std::vector<TrackedMap> maps;
   for (const Track& track : tracks) {
-    maps.push_back(tracked_map(source, target, track, dense_map(track, pyramid, options, context)));
+    maps.push_back(tracked_map(source, target, track, dense_map(track, pyramid, options, context),
+                               pyramid.surface->scale));
     steps.take();
   }
   return maps;
@@ -178,8 +217,11 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
     const StageTimer timer(result.times, stage);
     return work(part_of(context, begin, end));
   };
+  const Views views = views_of(from, onto, options.partial);
+  if (views.parts()) options = for_parts(options);
   const Pyramids pyramids = timed("shapes", 0, kHypothesesBegin, [&](const Context& part) {
-    return make_pyramids(source, target, tracked_options.allow_reflection, options.pyramid, part);
+    return make_pyramids(source, target, views, tracked_options.allow_reflection, options.pyramid,
+                         part);
   });
   const Pyramid& goal = *pyramids.front();
   result.oriented = from.oriented && onto.oriented;

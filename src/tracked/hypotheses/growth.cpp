@@ -7,6 +7,16 @@
 #include <numeric>
 
 namespace isomatch::tracked {
+namespace {
+
+/// What two distances differ by, each of which is between a least and a most on the whole shape;
+/// what may be due to what is missing counts as `doubt` says.
+inline float doubted(float least_a, float most_a, float least_b, float most_b, float doubt) {
+  const float sure = std::max({0.0F, least_b - most_a, least_a - most_b});
+  return sure + doubt * (std::abs(most_a - most_b) - sure);
+}
+
+}  // namespace
 
 Growth::Growth(const NodeDirections& source, int source_count, const NodeDirections& target,
                int target_count, const GrowthOptions& options)
@@ -16,6 +26,7 @@ Growth::Growth(const NodeDirections& source, int source_count, const NodeDirecti
       source_count_(std::min(source_count, source.size())),
       target_count_(std::min(target_count, target.size())),
       oriented_(options.orientation && source.oriented() && target.oriented()),
+      partial_(std::isfinite(options.price)),
       nearest_(source_count_),
       cost_(target_count_) {
   for (int i = 0; i < source_count_; ++i) {
@@ -31,12 +42,26 @@ void Growth::accumulate(int source, const std::vector<int>& map) {
   int count = 0;
   for (int j = 0; j < source_count_; ++j) {
     if (map[j] == kUnmatched || j == source) continue;
-    const float expected = source_.distance(source, j);
+    const float most = source_.distance(source, j);
     const float* distances = target_.distances_from(map[j]).data();
-    for (std::size_t t = 0; t < cost_.size(); ++t) cost_[t] += std::abs(expected - distances[t]);
+    if (partial_) {
+      const float least = source_.least_distances_from(source)[j];
+      const float* least_distances = target_.least_distances_from(map[j]).data();
+      for (std::size_t t = 0; t < cost_.size(); ++t)
+        cost_[t] += doubted(least, most, least_distances[t], distances[t], options_.doubt);
+    } else {
+      for (std::size_t t = 0; t < cost_.size(); ++t) cost_[t] += std::abs(most - distances[t]);
+    }
     ++count;
   }
   for (float& cost : cost_) cost /= static_cast<float>(std::max(1, count));
+}
+
+float Growth::difference(int source, int other, int target, int other_target) const {
+  const float a = source_.distance(source, other), b = target_.distance(target, other_target);
+  if (!partial_) return std::abs(a - b);
+  return doubted(source_.least_distances_from(source)[other], a,
+                 target_.least_distances_from(target)[other_target], b, options_.doubt);
 }
 
 void Growth::find_nearest_matched(int source, const std::vector<int>& map) {
@@ -65,6 +90,7 @@ float Growth::orientation(int source, int target, const std::vector<int>& map) c
 int Growth::best_target(int source, const std::vector<int>& map) {
   accumulate(source, map);
   const auto least = std::ranges::min_element(cost_);
+  if (*least > options_.price) return kUnmatched;
   if (!oriented_) return static_cast<int>(least - cost_.begin());
   find_nearest_matched(source, map);
   const float limit = *least + options_.slack;
@@ -82,9 +108,14 @@ int Growth::best_target(int source, const std::vector<int>& map) {
   return best;
 }
 
-LandmarkMap Growth::grow(const Correspondence& matches) {
+LandmarkMap Growth::only(const Correspondence& matches) const {
   LandmarkMap map{std::vector<int>(source_count_, kUnmatched)};
   for (const Match& match : matches) map.target_of_source[match.source] = match.target;
+  return map;
+}
+
+LandmarkMap Growth::grow(const Correspondence& matches) {
+  LandmarkMap map = only(matches);
   for (int i = 0; i < source_count_; ++i) {
     int& target = map.target_of_source[i];
     if (target == kUnmatched) target = best_target(i, map.target_of_source);
@@ -99,15 +130,20 @@ void Growth::revise(LandmarkMap& map) {
 
 void Growth::measure(LandmarkMap& map) {
   map.distortion = map.orientation = 0;
+  const std::vector<int>& targets = map.target_of_source;
+  const auto matched = static_cast<float>(source_count_ - std::ranges::count(targets, kUnmatched));
   const auto n = static_cast<float>(source_count_);
   for (int i = 0; i < source_count_; ++i) {
-    const auto distances = target_.distances_from(map.target_of_source[i]);
+    if (targets[i] == kUnmatched) {
+      map.distortion += options_.price / n;
+      continue;
+    }
     float sum = 0;
     for (int j = 0; j < source_count_; ++j)
-      sum += std::abs(source_.distance(i, j) - distances[map.target_of_source[j]]);
-    map.distortion += sum / (n * n);
-    find_nearest_matched(i, map.target_of_source);
-    map.orientation += orientation(i, map.target_of_source[i], map.target_of_source) / n;
+      if (targets[j] != kUnmatched) sum += difference(i, j, targets[i], targets[j]);
+    map.distortion += sum / (n * matched);
+    find_nearest_matched(i, targets);
+    map.orientation += orientation(i, targets[i], targets) / matched;
   }
 }
 

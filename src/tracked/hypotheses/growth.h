@@ -13,7 +13,7 @@ namespace isomatch::tracked {
 /// A map between landmarks: for each source landmark a target landmark, `kUnmatched` where none.
 struct LandmarkMap {
   std::vector<int> target_of_source;
-  /// Mean isometric distortion over all landmarks, in units of sqrt(area).
+  /// Mean isometric distortion over all landmarks, of those that are left out their price.
   float distortion = 0;
   /// Mean local orientation in [-1, 1].
   float orientation = 0;
@@ -29,6 +29,8 @@ class Growth {
 
   /// `matches` between landmarks.
   LandmarkMap grow(const Correspondence& matches);
+  /// The matches and no others.
+  LandmarkMap only(const Correspondence& matches) const;
   /// Chooses the target of every landmark again, given all others.
   void revise(LandmarkMap& map);
   /// Fills in distortion and orientation.
@@ -36,6 +38,7 @@ class Growth {
 
  private:
   void accumulate(int source, const std::vector<int>& map);
+  float difference(int source, int other, int target, int other_target) const;
   void find_nearest_matched(int source, const std::vector<int>& map);
   float orientation(int source, int target, const std::vector<int>& map) const;
   int best_target(int source, const std::vector<int>& map);
@@ -44,7 +47,7 @@ class Growth {
   const NodeDirections& target_;
   GrowthOptions options_;
   int source_count_, target_count_;
-  bool oriented_;
+  bool oriented_, partial_;
   std::vector<std::vector<int>> nearest_;  ///< Source landmarks in order of distance.
   std::vector<float> cost_;
   std::vector<int> near_;

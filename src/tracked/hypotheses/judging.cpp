@@ -3,12 +3,14 @@
 #include "tracked/hypotheses/judging.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "parallel.h"
 #include "steps.h"
 #include "tracked/hypotheses/densify.h"
+#include "tracked/tracks/overlap.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -38,7 +40,8 @@ HypothesisOptions with_landmarks(const Pyramid& source, const Pyramid& target,
   return result;
 }
 
-/// Energy of a coarse, stiff registration that starts from a hypothesis.
+/// Energy of a coarse, stiff registration that starts from a hypothesis, and the price of what is
+/// left out.
 double energy(const Pyramid& source, const Pyramid& target, const Hypothesis& hypothesis,
               const elastic::Projection& surface, const Options& options) {
   elastic::PointCloud cloud = source.coarse.graph.cloud;
@@ -46,9 +49,30 @@ double energy(const Pyramid& source, const Pyramid& target, const Hypothesis& hy
       target.proxy, densify(source.proxy, target.proxy, hypothesis, source.coarse.size()));
   set_places(cloud, target.proxy, vertices);
   elastic::Deformation deformation(cloud.positions, source.coarse.graph.neighbours);
-  return register_onto(cloud, deformation, surface, selected(target.proxy.mesh.vertices, vertices),
-                       options.judging)
-      .energy;
+  std::vector<Point> anchors = selected(target.proxy.mesh.vertices, vertices);
+  cloud.inside = covered_nodes(hypothesis, source, target, source.coarse.size(), options);
+  if (options.parts) carry_outside(cloud, anchors);
+  const elastic::Registration registration =
+      register_onto(cloud, deformation, surface, anchors, options.judging);
+  return registration.energy +
+         options.partial.energy_price *
+             left_out(cloud, inside_after(cloud, deformation.neighbours(), registration, options),
+                      source, target);
+}
+
+/// Hypotheses grow on the smaller shape, most of which has a counterpart.
+std::vector<Hypothesis> hypotheses_between(const Pyramid& source, const Pyramid& target,
+                                           const HypothesisOptions& options,
+                                           const Context& context) {
+  if (source.area() <= target.area())
+    return find_hypotheses(source.proxy, target.proxy, options, context);
+  HypothesisOptions reversed = options;
+  for (Match& match : reversed.landmarks) std::swap(match.source, match.target);
+  std::vector<Hypothesis> hypotheses =
+      find_hypotheses(target.proxy, source.proxy, reversed, context);
+  for (Hypothesis& hypothesis : hypotheses)
+    std::swap(hypothesis.source_nodes, hypothesis.target_nodes);
+  return hypotheses;
 }
 
 std::vector<Judged> found_and_judged(const Pyramid& source, const Pyramid& target,
@@ -57,7 +81,7 @@ std::vector<Judged> found_and_judged(const Pyramid& source, const Pyramid& targe
   // Of the time, how much finding takes.
   constexpr double kFound = 0.7;
   std::vector<Hypothesis> hypotheses =
-      find_hypotheses(source.proxy, target.proxy, search, part_of(context, 0, kFound));
+      hypotheses_between(source, target, search, part_of(context, 0, kFound));
   const elastic::Projection surface = projection_onto(target.proxy, options.early_projection);
   Steps steps(context, "hypotheses", kFound, 1, static_cast<int>(hypotheses.size()));
   std::vector<Judged> judged(hypotheses.size());
@@ -107,6 +131,19 @@ bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyrami
     at = i;
   }
   return target.proxy.node_distance(onto, hypothesis.target_nodes[at]) <= nearest + slack;
+}
+
+std::vector<bool> covered_nodes(const Hypothesis& hypothesis, const Pyramid& source,
+                                const Pyramid& target, int count, const Options& options) {
+  if (!options.parts) return {};
+  std::vector<bool> covered(count);
+  const double reach =
+      options.partial.landmark_reach * std::sqrt(std::min(source.area(), target.area()));
+  for (int i = 0; i < count; ++i)
+    covered[i] = std::ranges::any_of(hypothesis.source_nodes, [&](int node) {
+      return source.proxy.node_distance(node, i) < reach;
+    });
+  return covered;
 }
 
 void sort_by_cost(std::vector<Judged>& judged) {

@@ -36,6 +36,11 @@ Candidates judged_hypotheses(const Pyramid& source, const Pyramid& target, const
 bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyramid& source,
                const Pyramid& target, float slack);
 
+/// The first `count` nodes of the source that a hypothesis says something of: those that are close
+/// to one that it matches. Empty where nothing is missing.
+std::vector<bool> covered_nodes(const Hypothesis& hypothesis, const Pyramid& source,
+                                const Pyramid& target, int count, const Options& options);
+
 /// Least cost first.
 void sort_by_cost(std::vector<Judged>& judged);
 

@@ -44,11 +44,13 @@ NodeDirections::NodeDirections(const Proxy& proxy, std::vector<int> nodes)
     : nodes_(std::move(nodes)),
       oriented_(proxy.oriented),
       distances_(nodes_.size(), nodes_.size()),
+      least_(nodes_.size(), nodes_.size()),
       directions_(nodes_.size() * nodes_.size()) {
   for (int a = 0; a < size(); ++a) {
     const GradientStencil gradient = gradient_stencil(proxy, proxy.nodes[nodes_[a]]);
     for (int b = 0; b < size(); ++b) {
       distances_(a, b) = proxy.node_distance(nodes_[a], nodes_[b]);
+      least_(a, b) = proxy.least_distance(nodes_[a], nodes_[b]);
       const std::complex<float> uphill = gradient(proxy.distances.row(nodes_[b]).data());
       const float norm = std::abs(uphill);
       if (a != b && norm > 0) directions_[a * nodes_.size() + b] = -uphill / norm;

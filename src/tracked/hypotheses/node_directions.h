@@ -24,6 +24,10 @@ class NodeDirections {
   std::span<const float> distances_from(int a) const {
     return {distances_.row(a).data(), nodes_.size()};
   }
+  /// The least that these are on the whole shape.
+  std::span<const float> least_distances_from(int a) const {
+    return {least_.row(a).data(), nodes_.size()};
+  }
   /// Unit direction at `a` in which the shortest path to `b` leaves, in a frame of the tangent
   /// plane that is right-handed seen from outside. Zero where there is none.
   std::complex<float> direction(int a, int b) const { return directions_[a * nodes_.size() + b]; }
@@ -31,7 +35,7 @@ class NodeDirections {
  private:
   std::vector<int> nodes_;
   bool oriented_;
-  FloatMatrix distances_;
+  FloatMatrix distances_, least_;
   std::vector<std::complex<float>> directions_;
 };
 

@@ -11,6 +11,7 @@
 #include "parallel.h"
 #include "steps.h"
 #include "tracked/hypotheses/densify.h"
+#include "tracked/hypotheses/poses.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -31,9 +32,12 @@ float score(const LandmarkMap& map, const GrowthOptions& options) {
 
 /// Root mean square, which notices when a single limb goes elsewhere.
 float difference(const NodeDirections& target, const LandmarkMap& a, const LandmarkMap& b) {
+  constexpr float kLeftOut = 0.2F;  // As far apart as if a limb went elsewhere.
   float sum = 0;
   for (std::size_t i = 0; i < a.target_of_source.size(); ++i) {
-    const float distance = target.distance(a.target_of_source[i], b.target_of_source[i]);
+    const int s = a.target_of_source[i], t = b.target_of_source[i];
+    if (s == kUnmatched && t == kUnmatched) continue;
+    const float distance = s == kUnmatched || t == kUnmatched ? kLeftOut : target.distance(s, t);
     sum += distance * distance;
   }
   return std::sqrt(sum / static_cast<float>(a.target_of_source.size()));
@@ -64,7 +68,8 @@ void select(std::vector<LandmarkMap>& maps, const NodeDirections& target, int co
 Correspondence first_matches(const LandmarkMap& map) {
   Correspondence matches;
   for (std::size_t i = 0; i < map.target_of_source.size(); ++i)
-    matches.push_back({static_cast<int>(i), map.target_of_source[i]});
+    if (map.target_of_source[i] != kUnmatched)
+      matches.push_back({static_cast<int>(i), map.target_of_source[i]});
   return matches;
 }
 
@@ -80,6 +85,10 @@ std::vector<LandmarkMap> grow_all(const std::vector<Correspondence>& starts,
     maps[i] = growth.grow(starts[i]);
     growth.revise(maps[i]);
     growth.measure(maps[i]);
+  });
+  std::erase_if(maps, [&](const LandmarkMap& map) {
+    return std::ssize(map.target_of_source) - std::ranges::count(map.target_of_source, kUnmatched) <
+           std::min<std::ptrdiff_t>(options.seeds.min_matches, std::ssize(map.target_of_source));
   });
   select(maps, target, stage.max_maps, options);
   return maps;
@@ -138,6 +147,7 @@ Hypothesis between_nodes(const LandmarkMap& map, const NodeDirections& source,
                          const NodeDirections& target) {
   Hypothesis hypothesis{{}, {}, map.distortion, map.orientation};
   for (std::size_t i = 0; i < map.target_of_source.size(); ++i) {
+    if (map.target_of_source[i] == kUnmatched) continue;
     hypothesis.source_nodes.push_back(source.node(static_cast<int>(i)));
     hypothesis.target_nodes.push_back(target.node(map.target_of_source[i]));
   }
@@ -196,13 +206,33 @@ std::vector<LandmarkMap> twins_of(const std::vector<LandmarkMap>& maps,
   for (const std::vector<int>& symmetry : symmetries) {
     for (std::size_t k = 0; k < twinned; ++k) {
       Correspondence twin = first_matches(maps[k]);
-      twin.resize(std::min(twin.size(), static_cast<std::size_t>(options.coarse.source_landmarks)));
+      std::erase_if(
+          twin, [&](const Match& m) { return m.source >= options.coarse.source_landmarks; });
       for (Match& match : twin)
         if (match.source >= options.growth.fixed) match.target = symmetry[match.target];
       starts.push_back(std::move(twin));
     }
   }
   return grow_all(starts, source, target, options.fine, options, context);
+}
+
+/// What poses match, and what grows from there.
+std::vector<LandmarkMap> posed_maps(const Proxy& source, const NodeDirections& from,
+                                    const Proxy& target, const NodeDirections& onto,
+                                    const HypothesisOptions& options, const Context& context) {
+  std::vector<Correspondence> starts;
+  for (const Pose& pose : find_poses(source, target, options.poses))
+    starts.push_back(matches_under(pose, source, from, target, onto, options.poses));
+  std::vector<LandmarkMap> maps = grow_all(starts, from, onto, options.fine, options, context);
+  if (std::isinf(options.growth.price)) return maps;
+  Growth growth(from, options.fine.source_landmarks, onto, options.fine.target_landmarks,
+                options.growth);
+  for (const Correspondence& start : starts) {
+    if (std::cmp_less(start.size(), options.seeds.min_matches)) continue;
+    maps.push_back(growth.only(start));
+    growth.measure(maps.back());
+  }
+  return maps;
 }
 
 std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& target, const Tips& tips,
@@ -225,6 +255,8 @@ std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& targe
   context.report(1, kHypothesesStage);
   if (options.growth.orientation && source.oriented && target.oriented) drop_mirrored(maps);
   select(maps, onto, options.fine.max_maps, options);
+  std::ranges::move(posed_maps(source, from, target, onto, options, context),
+                    std::back_inserter(maps));
   std::vector<Hypothesis> hypotheses;
   for (const LandmarkMap& map : maps) hypotheses.push_back(between_nodes(map, from, onto));
   return hypotheses;

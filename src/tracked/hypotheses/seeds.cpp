@@ -85,12 +85,19 @@ class SeedSearch {
 
   bool compatible(int s, int t, double& gain) const {
     for (const Match& other : matches_) {
-      const double difference =
-          std::abs(source_.node_distance(s, other.source) - target_.node_distance(t, other.target));
+      const double difference = sure_difference(s, t, other);
       if (difference > options_.max_difference) return false;
       gain += options_.neutral_difference - difference;
     }
     return true;
+  }
+
+  /// What the distances differ by at least on the whole shapes.
+  double sure_difference(int s, int t, const Match& other) const {
+    const float source = source_.node_distance(s, other.source),
+                target = target_.node_distance(t, other.target);
+    return std::max({0.0F, source_.least_distance(s, other.source) - target,
+                     target_.least_distance(t, other.target) - source});
   }
 
   void keep(double score) {
@@ -135,7 +142,7 @@ std::vector<int> extremities(const Proxy& proxy, const SeedOptions& options) {
   const std::vector<double> integral = integral_distances(proxy);
   std::vector<int> tips;
   for (int a = 0; a < proxy.num_measured(); ++a) {
-    bool farthest = true;
+    bool farthest = proxy.to_boundary[proxy.nodes[a]] > options.extremity_radius / 2;
     for (int b = 0; farthest && b < proxy.num_measured(); ++b)
       farthest = integral[b] <= integral[a] || proxy.node_distance(a, b) > options.extremity_radius;
     if (farthest) tips.push_back(a);

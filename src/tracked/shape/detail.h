@@ -25,7 +25,7 @@ struct Detail {
   std::shared_ptr<const GeodesicGraph> graph;
 };
 
-/// `surface` is that of `shape` or its mirror image. O(N log N).
+/// `surface` is that of `shape`, or its mirror image, in any size. O(N log N).
 Detail make_detail(const PreparedShape& shape, const Surface& surface,
                    const PyramidOptions& options, const Context& context);
 

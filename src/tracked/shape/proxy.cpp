@@ -3,11 +3,13 @@
 #include "tracked/shape/proxy.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
 
 #include "geometry/simplify.h"
 #include "parallel.h"
+#include "shape/boundary.h"
 #include "shape/surface.h"
 
 namespace isomatch::tracked {
@@ -37,13 +39,21 @@ void measure_distances(Proxy& proxy, int most, const Context& context) {
       });
 }
 
+std::vector<float> distances_to_boundary(const Proxy& proxy, bool open) {
+  const std::vector<int> boundary = open ? boundary_vertices(proxy.mesh) : std::vector<int>();
+  if (boundary.empty())
+    return std::vector<float>(proxy.mesh.vertices.size(), std::numeric_limits<float>::infinity());
+  return GeodesicSearch(*proxy.graph).nearest_source(boundary).distances;
+}
+
 }  // namespace
 
 NodeGraph node_graph(const Proxy& proxy, int count) {
   count = std::min(count, proxy.num_nodes());
-  const std::vector<int> nearest =
-      GeodesicSearch(*proxy.graph).nearest_source(std::span(proxy.nodes).first(count)).nearest;
   NodeGraph graph;
+  graph.cell =
+      GeodesicSearch(*proxy.graph).nearest_source(std::span(proxy.nodes).first(count)).nearest;
+  const std::vector<int>& nearest = graph.cell;
   graph.cloud.areas.assign(count, 0.0);
   const std::vector<double> areas = vertex_areas(proxy.mesh);
   for (int v = 0; v < proxy.num_vertices(); ++v) graph.cloud.areas[nearest[v]] += areas[v];
@@ -68,7 +78,7 @@ NodeGraph node_graph(const Proxy& proxy, int count) {
   return graph;
 }
 
-Proxy make_proxy(const Detail& detail, bool oriented, const ProxyOptions& options,
+Proxy make_proxy(const Detail& detail, bool oriented, bool open, const ProxyOptions& options,
                  const Context& context) {
   SimplifiedMesh simplified = simplify(detail.mesh, options.vertices);
   const bool is_whole = simplified.kept.size() == detail.mesh.vertices.size();
@@ -83,12 +93,14 @@ Proxy make_proxy(const Detail& detail, bool oriented, const ProxyOptions& option
               {},
               {},
               std::move(graph),
+              {},
               {}};
   for (int v : proxy.detail_vertex) proxy.features.push_back(detail.features[v]);
   proxy.faces = vertex_faces(proxy.mesh);
   proxy.normals = unit_normals(proxy.mesh);
   proxy.nodes = spread_nodes(*proxy.graph, options.nodes);
   measure_distances(proxy, options.measured_nodes, context);
+  proxy.to_boundary = distances_to_boundary(proxy, open);
   for (int v = 0; v < proxy.num_vertices(); ++v)
     for (int k = 0; k < std::min(elastic::kPlaces, proxy.num_measured()); ++k)
       proxy.features[v].place[k] = proxy.distances(k, v);

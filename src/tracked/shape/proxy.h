@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace isomatch::tracked {
 
 using FloatMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A simplified copy of a surface, scaled to unit area, on which everything global is computed, and
+/// A simplified copy of a surface, on which everything global is computed, and
 /// nodes spread evenly over it. Nodes come in farthest point order, so the first k of them are
 /// evenly spread as well.
 struct Proxy {
@@ -35,6 +36,8 @@ struct Proxy {
   std::shared_ptr<const GeodesicGraph> graph;
   /// Geodesic distances from the first nodes (rows) to all vertices (columns).
   FloatMatrix distances;
+  /// Of the vertices from the boundary; infinite where nothing is missing.
+  std::vector<float> to_boundary;
 
   int num_vertices() const { return mesh.num_vertices(); }
   int num_nodes() const { return static_cast<int>(nodes.size()); }
@@ -43,11 +46,18 @@ struct Proxy {
   const Point& node_normal(int node) const { return normals[nodes[node]]; }
   /// Of a node from which distances are measured to any node.
   float node_distance(int a, int b) const { return distances(a, nodes[b]); }
+  /// What that distance is at least on the shape that this one is a part of: what is shorter than
+  /// the ways to the boundary leads through nothing that is missing.
+  float least_distance(int a, int b) const {
+    return std::min(node_distance(a, b), to_boundary[nodes[a]] + to_boundary[nodes[b]]);
+  }
 };
 
 /// The first `count` nodes of a proxy as a graph.
 struct NodeGraph {
   elastic::PointCloud cloud;
+  /// Of each vertex of the proxy the node in whose Voronoi cell it lies.
+  std::vector<int> cell;
   /// For each node those whose Voronoi cells touch its own, ascending.
   IndexLists neighbours;
 };
@@ -55,8 +65,9 @@ struct NodeGraph {
 /// O(N log N).
 NodeGraph node_graph(const Proxy& proxy, int count);
 
-/// `oriented` as the surface is. O(N log N + measured nodes * vertices log vertices).
-Proxy make_proxy(const Detail& detail, bool oriented, const ProxyOptions& options,
+/// `oriented` as the surface is; `open` if something may be missing beyond its boundary.
+/// O(N log N + measured nodes * vertices log vertices).
+Proxy make_proxy(const Detail& detail, bool oriented, bool open, const ProxyOptions& options,
                  const Context& context);
 
 }  // namespace isomatch::tracked

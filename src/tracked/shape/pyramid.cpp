@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "shape/boundary.h"
+
 namespace isomatch::tracked {
 namespace {
 
@@ -35,9 +37,17 @@ std::vector<int> place_vertices(const Proxy& proxy) {
   return vertices;
 }
 
+/// The surface as it is seen; itself where that is as it is.
+std::shared_ptr<const Surface> seen(const PreparedShape& shape, const View& view) {
+  std::shared_ptr<const Surface> surface = shape.surface();
+  if (view.mirrored) surface = std::make_shared<const Surface>(mirror_image(*surface));
+  if (view.size != 1) surface = std::make_shared<const Surface>(scaled(*surface, view.size));
+  return surface;
+}
+
 }  // namespace
 
-Pyramid make_pyramid(const PreparedShape& shape, bool mirrored, const PyramidOptions& options,
+Pyramid make_pyramid(const PreparedShape& shape, const View& view, const PyramidOptions& options,
                      const Context& context) {
   int steps = 0;
   const auto stepped = [&](auto result) {
@@ -45,12 +55,12 @@ Pyramid make_pyramid(const PreparedShape& shape, bool mirrored, const PyramidOpt
     return result;
   };
   Pyramid pyramid;
-  pyramid.mirrored = mirrored;
-  pyramid.surface =
-      mirrored ? std::make_shared<const Surface>(mirror_image(*shape.surface())) : shape.surface();
+  pyramid.view = view;
+  pyramid.surface = seen(shape, view);
+  if (view.open) pyramid.rim = boundary_vertices(pyramid.surface->mesh);
   const Surface& surface = *pyramid.surface;
   pyramid.detail = stepped(make_detail(shape, surface, options, context));
-  pyramid.proxy = stepped(make_proxy(pyramid.detail, surface.oriented, options.proxy, context));
+  pyramid.proxy = stepped(make_proxy(pyramid.detail, surface.oriented, view.open, options.proxy, context));
   set_places(pyramid.detail, place_vertices(pyramid.proxy), context);
   pyramid.anchors = stepped(anchors(surface, pyramid.detail, context));
   pyramid.basis = stepped(spectral::eigenbasis(pyramid.proxy.mesh, options.functions, context));
@@ -60,11 +70,18 @@ Pyramid make_pyramid(const PreparedShape& shape, bool mirrored, const PyramidOpt
   return stepped(std::move(pyramid));
 }
 
-std::shared_ptr<const Pyramid> pyramid_of(const PreparedShape& shape, bool mirrored,
+std::shared_ptr<const Pyramid> pyramid_of(const PreparedShape& shape, const View& view,
                                           const PyramidOptions& options, const Context& context) {
-  using Key = std::pair<PyramidOptions, bool>;
+  using Key = std::pair<PyramidOptions, View>;
   return shape.kept<Memo<Key, Pyramid>>().get(
-      {options, mirrored}, [&] { return make_pyramid(shape, mirrored, options, context); });
+      {options, view}, [&] { return make_pyramid(shape, view, options, context); });
+}
+
+std::vector<int> rim_of(const Proxy& proxy) {
+  std::vector<int> rim;
+  for (int v = 0; v < proxy.num_vertices(); ++v)
+    if (proxy.to_boundary[v] == 0) rim.push_back(v);
+  return rim;
 }
 
 int nearest_node(const Pyramid& pyramid, int surface_vertex, int count) {
@@ -87,7 +104,7 @@ std::vector<Point> selected(const std::vector<Point>& points, const std::vector<
 }
 
 elastic::Projection projection_onto(const Proxy& proxy, const elastic::ProjectionWeights& weights) {
-  return {proxy.mesh, proxy.faces, proxy.normals, proxy.features, weights};
+  return {proxy.mesh, proxy.faces, proxy.normals, proxy.features, weights, rim_of(proxy)};
 }
 
 void set_places(elastic::PointCloud& cloud, const Proxy& target, std::span<const int> vertices) {

@@ -23,6 +23,17 @@ struct Level {
   int size() const { return static_cast<int>(graph.cloud.areas.size()); }
 };
 
+/// How a pair looks at a shape.
+struct View {
+  bool mirrored = false;
+  /// sqrt(area), in the pair's unit of length: less than 1 where something is missing.
+  double size = 1;
+  /// Whether something may be missing beyond its boundary.
+  bool open = false;
+
+  bool operator==(const View&) const = default;
+};
+
 /// A surface at decreasing density, with what is computed of it alone.
 struct Pyramid {
   std::shared_ptr<const Surface> surface;
@@ -32,18 +43,22 @@ struct Pyramid {
   Proxy proxy;
   spectral::Eigenbasis basis;
   Level coarse, middle, fine;
-  bool mirrored = false;
+  /// Of the surface the vertices beyond which something may be missing, ascending.
+  std::vector<int> rim;
+  View view;
+
+  double area() const { return view.size * view.size; }
 };
 
 /// How often `make_pyramid` reports progress.
 inline constexpr int kPyramidSteps = 5;
 
-/// Of the shape or its mirror image. O(N log N).
-Pyramid make_pyramid(const PreparedShape& shape, bool mirrored, const PyramidOptions& options,
+/// O(N log N).
+Pyramid make_pyramid(const PreparedShape& shape, const View& view, const PyramidOptions& options,
                      const Context& context);
 
 /// The same, made once and kept with the shape.
-std::shared_ptr<const Pyramid> pyramid_of(const PreparedShape& shape, bool mirrored,
+std::shared_ptr<const Pyramid> pyramid_of(const PreparedShape& shape, const View& view,
                                           const PyramidOptions& options, const Context& context);
 
 /// Of the first `count` nodes the one that is closest in space.
@@ -54,6 +69,9 @@ std::vector<int> node_vertices(const Proxy& proxy, std::vector<int> nodes);
 
 /// Those of `points` that are asked for, in that order.
 std::vector<Point> selected(const std::vector<Point>& points, const std::vector<int>& indices);
+
+/// Vertices beyond which something may be missing.
+std::vector<int> rim_of(const Proxy& proxy);
 
 elastic::Projection projection_onto(const Proxy& proxy, const elastic::ProjectionWeights& weights);
 

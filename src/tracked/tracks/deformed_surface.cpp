@@ -21,28 +21,31 @@ std::vector<int> nearest_nodes(const Pyramid& pyramid, int nodes) {
 /// Means over a node and those around it, by their distances at rest from a point.
 class Blend {
  public:
-  Blend(const elastic::Deformation& deformation, const std::vector<elastic::Features>& features)
-      : deformation_(deformation), features_(features) {
+  Blend(const elastic::Deformation& deformation, const elastic::PointCloud& nodes)
+      : deformation_(deformation), nodes_(nodes) {
     for (const auto& rotation : deformation.rotations())
       rotations_.push_back(rotation.toRotationMatrix());
   }
 
-  /// Moves a point along with the nodes.
-  void move(int nearest, Point& position, Point& normal) const {
+  /// Moves a point along with the nodes; how much of these is inside.
+  double move(int nearest, Point& position, Point& normal) const {
     Point moved(0, 0, 0), turned(0, 0, 0);
+    double inside = 0;
     for (const auto& [node, weight] : shares(nearest, position)) {
+      if (nodes_.is_inside(node)) inside += weight;
       const Point offset = position - deformation_.rest()[node];
       moved += weight * (rotations_[node] * offset + deformation_.positions()[node]);
       turned += weight * (rotations_[node] * normal);
     }
     position = moved;
     normal = turned.normalized();
+    return inside;
   }
 
   std::array<double, elastic::kPlaces> place(int nearest, const Point& position) const {
     std::array<double, elastic::kPlaces> mean{};
     for (const auto& [node, weight] : shares(nearest, position))
-      for (int k = 0; k < elastic::kPlaces; ++k) mean[k] += weight * features_[node].place[k];
+      for (int k = 0; k < elastic::kPlaces; ++k) mean[k] += weight * nodes_.features[node].place[k];
     return mean;
   }
 
@@ -64,36 +67,39 @@ class Blend {
   }
 
   const elastic::Deformation& deformation_;
-  const std::vector<elastic::Features>& features_;
+  const elastic::PointCloud& nodes_;
   std::vector<Eigen::Matrix3d> rotations_;
 };
 
 }  // namespace
 
 DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformation& deformation,
-                                 const std::vector<elastic::Features>& node_features,
+                                 const elastic::PointCloud& nodes,
                                  const Context& context) {
   const std::vector<int> nearest = nearest_nodes(pyramid, deformation.size());
-  const Blend blend(deformation, node_features);
+  const Blend blend(deformation, nodes);
   DeformedSurface result{pyramid.surface->mesh.vertices, pyramid.surface->normals,
-                         pyramid.detail.features};
+                         pyramid.detail.features,
+                         std::vector<double>(pyramid.surface->mesh.vertices.size())};
   for (std::size_t d = 0; d < nearest.size(); ++d)
     result.features[d].place = blend.place(nearest[d], pyramid.detail.mesh.vertices[d]);
   parallel_for(std::ssize(result.positions), context, [&](std::ptrdiff_t v) {
-    blend.move(nearest[pyramid.anchors[v]], result.positions[v], result.normals[v]);
+    result.inside[v] =
+        blend.move(nearest[pyramid.anchors[v]], result.positions[v], result.normals[v]);
   });
   return result;
 }
 
 DeformedSurface deformed_surface(const Proxy& proxy, const elastic::Deformation& deformation,
-                                 const std::vector<elastic::Features>& node_features) {
-  const auto nodes = std::span(proxy.nodes).first(deformation.size());
-  const std::vector<int> nearest = GeodesicSearch(*proxy.graph).nearest_source(nodes).nearest;
-  const Blend blend(deformation, node_features);
-  DeformedSurface result{proxy.mesh.vertices, proxy.normals, proxy.features};
+                                 const elastic::PointCloud& nodes) {
+  const auto sources = std::span(proxy.nodes).first(deformation.size());
+  const std::vector<int> nearest = GeodesicSearch(*proxy.graph).nearest_source(sources).nearest;
+  const Blend blend(deformation, nodes);
+  DeformedSurface result{proxy.mesh.vertices, proxy.normals, proxy.features,
+                         std::vector<double>(proxy.mesh.vertices.size())};
   for (std::size_t v = 0; v < nearest.size(); ++v) {
     result.features[v].place = blend.place(nearest[v], result.positions[v]);
-    blend.move(nearest[v], result.positions[v], result.normals[v]);
+    result.inside[v] = blend.move(nearest[v], result.positions[v], result.normals[v]);
   }
   return result;
 }

@@ -15,16 +15,18 @@ namespace isomatch::tracked {
 struct DeformedSurface {
   std::vector<Point> positions, normals;
   std::vector<elastic::Features> features;
+  /// Of the vertices, how much of what is around them has a counterpart, in [0, 1].
+  std::vector<double> inside;
 };
 
 /// Carries a deformation of the first nodes of a pyramid, and the places where they went, over to
 /// all vertices of its surface; features are those of the detail. O(N log N).
 DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformation& deformation,
-                                 const std::vector<elastic::Features>& node_features,
+                                 const elastic::PointCloud& nodes,
                                  const Context& context);
 
 /// The same for all vertices of a proxy.
 DeformedSurface deformed_surface(const Proxy& proxy, const elastic::Deformation& deformation,
-                                 const std::vector<elastic::Features>& node_features);
+                                 const elastic::PointCloud& nodes);
 
 }  // namespace isomatch::tracked

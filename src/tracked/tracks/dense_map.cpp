@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "tracked/tracks/dense_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -38,10 +39,28 @@ std::vector<int> closest_details(const Side& from, const Side& onto,
   return closest;
 }
 
+/// Whether a vertex has a counterpart at a point that is closest to it: what is around both has one,
+/// and it is not the rim that is closest to what lies beyond.
+bool has_counterpart(const Side& from, const Side& onto, const Mesh& mesh, int vertex,
+                     const SurfacePoint& point, const Options& options) {
+  const double least = options.partial.least_inside;
+  if (from.deformed.inside[vertex] < least) return false;
+  double inside = 0;
+  bool on_rim = true;
+  for (int k = 0; k < 3; ++k) {
+    const int v = mesh.faces[point.face][k];
+    inside += point.weights[k] * onto.deformed.inside[v];
+    on_rim = on_rim && (point.weights[k] == 0 ||
+                        std::ranges::binary_search(onto.pyramid.rim, v));
+  }
+  const double distance = (position(mesh, point) - from.deformed.positions[vertex]).norm();
+  return inside >= least && distance <= (on_rim ? options.partial.beyond : options.partial.reach);
+}
+
 /// Points of `onto` that are closest in space, found from those of the details.
-SurfacePoints project(const Side& from, const Side& onto, const elastic::ProjectionWeights& weights,
+SurfacePoints project(const Side& from, const Side& onto, const Options& options,
                       const Context& context) {
-  const std::vector<int> starts = closest_details(from, onto, weights, context);
+  const std::vector<int> starts = closest_details(from, onto, options.fine_projection, context);
   const Surface& surface = *onto.pyramid.surface;
   const Mesh mesh{onto.deformed.positions, surface.mesh.faces};
   SurfaceMap map(from.deformed.positions.size());
@@ -49,6 +68,8 @@ SurfacePoints project(const Side& from, const Side& onto, const elastic::Project
     const Point& p = from.deformed.positions[v];
     const int vertex = walk_to_vertex(mesh, surface.faces, starts[from.pyramid.anchors[v]], p);
     map[v] = closest_point_around(mesh, surface.faces, vertex, p);
+    if (options.parts && !has_counterpart(from, onto, mesh, static_cast<int>(v), map[v], options))
+      map[v] = {};
   });
   return SurfacePoints(std::move(map));
 }
@@ -75,12 +96,12 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
   const Pyramid& source = *track.judged.source;
   const Surface& goal = *target.surface;
   DeformedSurface deformed =
-      deformed_surface(source, track.deformation, track.cloud.features, context);
+      deformed_surface(source, track.deformation, track.cloud, context);
   bend_to_landmarks(source, target, options.landmarks, options.landmark_reach, deformed);
-  const DeformedSurface rest{goal.mesh.vertices, goal.normals, target.detail.features};
+  const DeformedSurface rest{goal.mesh.vertices, goal.normals, target.detail.features,
+                             std::vector<double>(goal.mesh.vertices.size(), 1.0)};
   const Side from{source, deformed}, onto{target, rest};
-  DenseMap map{project(from, onto, options.fine_projection, context),
-               project(onto, from, options.fine_projection, context),
+  DenseMap map{project(from, onto, options, context), project(onto, from, options, context),
                std::move(deformed.positions)};
   for (const Match& match : *options.landmarks)
     (*map.source_to_target)[match.source] =

@@ -39,6 +39,21 @@ std::vector<int> foot_vertices(const Mesh& mesh, const std::vector<elastic::Foot
   return vertices;
 }
 
+/// Points outside stay where they are, or, at first, move with those around them.
+void place_outside(const Track& track, std::vector<Point>& anchors) {
+  if (track.registration.feet.empty()) return carry_outside(track.cloud, anchors);
+  for (std::size_t i = 0; i < anchors.size(); ++i)
+    if (!track.cloud.inside[i]) anchors[i] = track.deformation.positions()[i];
+}
+
+/// Which nodes of a level are inside, as those of the track are. Empty where nothing is missing.
+std::vector<bool> inside_on(const Level& level, const Proxy& proxy, const Track& track) {
+  std::vector<bool> inside;
+  for (int i = 0; !track.cloud.inside.empty() && i < level.size(); ++i)
+    inside.push_back(track.cloud.inside[track.source->graph.cell[proxy.nodes[i]]]);
+  return inside;
+}
+
 double between(double first, double last, double progress) {
   return first * std::pow(last / first, progress);
 }
@@ -60,7 +75,7 @@ Track Refinement::begin(const Judged& judged) const {
     track.vertices = spectral_step(track, middle, round);
     run_round(track, round);
   }
-  if (options_.middle_rounds() > 0) mend(track);
+  if (options_.middle_rounds() > 0 && !options_.parts) mend(track);
   return track;
 }
 
@@ -87,12 +102,16 @@ Track Refinement::finish(const Track& middle) const {
   const Level& fine = middle.judged.source->fine;
   if (options_.rounds == 0) return registered(middle.judged, fine, target_.fine);
   const int first = options_.middle_rounds();
-  return fine_rounds(middle.judged, spectral_step(middle, fine, first), first);
+  Track track = middle;
+  std::vector<int> vertices = spectral_step(track, fine, first);
+  return fine_rounds(middle.judged, std::move(vertices),
+                     inside_on(fine, middle.judged.source->proxy, track), first);
 }
 
-Track Refinement::fine_rounds(const Judged& judged, std::vector<int> vertices, int first) const {
+Track Refinement::fine_rounds(const Judged& judged, std::vector<int> vertices,
+                              std::vector<bool> inside, int first) const {
   const Level& fine = judged.source->fine;
-  Track track = enter(judged, fine, target_.fine, std::move(vertices));
+  Track track = enter(judged, fine, target_.fine, std::move(vertices), std::move(inside));
   run_round(track, first);
   for (int round = first + 1; round < options_.rounds; ++round) {
     track.vertices = spectral_step(track, fine, round);
@@ -109,29 +128,87 @@ void Refinement::settle(Track& track, std::span<const Point> anchors) const {
 Track Refinement::registered(const Judged& judged, const Level& source, const Level& target) const {
   Track track = enter(judged, source, target,
                       node_vertices(target_.proxy, densify(judged.source->proxy, target_.proxy,
-                                                           judged.hypothesis, source.size())));
+                                                           judged.hypothesis, source.size())),
+                      covered_nodes(judged.hypothesis, *judged.source, target_, source.size(),
+                                    options_));
   advance(track, early_surface_, options_.first_registration);
   return track;
 }
 
 Track Refinement::enter(const Judged& judged, const Level& source, const Level& target,
-                        std::vector<int> vertices) const {
-  return {judged,
-          &source,
-          &target,
-          source.graph.cloud,
-          std::move(vertices),
-          {source.graph.cloud.positions, source.graph.neighbours},
-          {},
-          judged.source->mirrored ? options_.mirror_price : 1};
+                        std::vector<int> vertices, std::vector<bool> inside) const {
+  Track track{judged,
+              &source,
+              &target,
+              source.graph.cloud,
+              std::move(vertices),
+              {source.graph.cloud.positions, source.graph.neighbours},
+              {},
+              judged.source->view.mirrored ? options_.mirror_price : 1};
+  track.cloud.inside = std::move(inside);
+  return track;
 }
 
 /// The map that a spectral step makes of a track, for the nodes of `wanted`.
-std::vector<int> Refinement::spectral_step(const Track& track, const Level& wanted,
-                                           int round) const {
+std::vector<int> Refinement::spectral_step(Track& track, const Level& wanted, int round) const {
   context_.check_stop();
+  if (options_.parts) return overlap_step(track, wanted, round);
   return refine(track.source->samples, track.target->samples, target_.basis,
                 {track.vertices, nearest_nodes(track)}, wanted.samples, basis_size(round));
+}
+
+/// The same on what overlaps. Nodes outside stay where those around them are.
+std::vector<int> Refinement::overlap_step(Track& track, const Level& wanted, int round) const {
+  const int first_fine = options_.middle_rounds() + 1,
+            half_way = (options_.middle_rounds() + options_.rounds) / 2;
+  const std::vector<int> nearest = nearest_nodes(track);
+  if (!is_fine(track))
+    track.overlap = overlap_of(track, nearest, basis_size(round));
+  else if (!track.overlap || round == first_fine || round == half_way)
+    track.overlap = overlap_of(track, nearest, options_.pyramid.functions);
+  const Proxy& source = track.judged.source->proxy;
+  std::vector<int> vertices(wanted.size(), kNoVertex);
+  const Overlap& overlap = *track.overlap;
+  if (!overlap.source.empty() && !overlap.target.empty()) {
+    const int size = std::max(
+        options_.first_basis, static_cast<int>(std::lround(basis_size(round) * overlap.area)));
+    vertices = refine_on_overlap(
+        overlap, source, target_.proxy,
+        {*track.source, *track.target, track.cloud.inside, track.vertices, nearest}, wanted, size);
+  }
+  for (int i = 0; i < wanted.size(); ++i)
+    if (vertices[i] == kNoVertex)
+      vertices[i] = track.vertices[track.source->graph.cell[source.nodes[i]]];
+  return vertices;
+}
+
+std::shared_ptr<const Overlap> Refinement::overlap_of(const Track& track,
+                                                      const std::vector<int>& nearest,
+                                                      int functions) const {
+  auto overlap = std::make_shared<Overlap>();
+  for (int i = 0; i < track.source->size(); ++i)
+    if (track.cloud.inside[i]) overlap->area += track.cloud.areas[i];
+  functions = std::max(options_.first_basis,
+                       static_cast<int>(std::lround(functions * std::min(1.0, overlap->area))));
+  overlap->source = part_of_proxy(track.judged.source->proxy, *track.source, track.cloud.inside,
+                                  functions, context_);
+  overlap->target = part_of_proxy(target_.proxy, *track.target, covered_target(track, nearest),
+                                  functions, context_);
+  return overlap;
+}
+
+std::vector<bool> Refinement::covered_target(const Track& track,
+                                             const std::vector<int>& nearest) const {
+  if (!options_.parts) return {};
+  const elastic::PointCloud& target = track.target->graph.cloud;
+  const double reach = options_.partial.cover *
+                       std::sqrt(track.judged.source->area() / track.source->size());
+  std::vector<bool> covered(nearest.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    covered[i] =
+        track.cloud.inside[nearest[i]] &&
+        (target.positions[i] - track.deformation.positions()[nearest[i]]).norm() <= reach;
+  return smoothed(covered, target.areas, track.target->graph.neighbours, options_.partial);
 }
 
 bool Refinement::is_fine(const Track& track) { return track.source == &track.judged.source->fine; }
@@ -161,7 +238,9 @@ void Refinement::run_round(Track& track, int round) const {
 void Refinement::advance(Track& track, const elastic::Projection& onto,
                          const elastic::RegistrationOptions& step) const {
   set_places(track.cloud, target_.proxy, track.vertices);
-  advance(track, onto, step, selected(target_.proxy.mesh.vertices, track.vertices));
+  std::vector<Point> anchors = selected(target_.proxy.mesh.vertices, track.vertices);
+  if (options_.parts) place_outside(track, anchors);
+  advance(track, onto, step, anchors);
 }
 
 void Refinement::advance(Track& track, const elastic::Projection& onto,
@@ -171,8 +250,17 @@ void Refinement::advance(Track& track, const elastic::Projection& onto,
   track.registration = register_onto(
       track.cloud, track.deformation, onto, anchors, step,
       landmark_pins(*track.judged.source, target_, track.deformation, options_.landmarks));
+  if (options_.parts) look_at_overlap(track);
   track.vertices = foot_vertices(target_.proxy.mesh, track.registration.feet);
   set_places(track.cloud, target_.proxy, track.vertices);
+}
+
+void Refinement::look_at_overlap(Track& track) const {
+  track.cloud.inside =
+      inside_after(track.cloud, track.deformation.neighbours(), track.registration, options_);
+  const double area = left_out(track.cloud, track.cloud.inside, *track.judged.source, target_);
+  track.energy_left_out = options_.partial.energy_price * area;
+  track.distance_left_out = options_.partial.distance_price * area;
 }
 
 double Refinement::progress(int round) const {
@@ -185,10 +273,15 @@ int Refinement::basis_size(int round) const {
 }
 
 double difference(const Track& a, const Track& b) {
+  constexpr double kLeftOut = 0.2;  // As far apart as if a limb went elsewhere.
   double sum = 0;
-  for (std::size_t i = 0; i < a.cloud.areas.size(); ++i)
+  for (int i = 0; i < a.source->size(); ++i) {
+    if (!a.cloud.is_inside(i) && !b.cloud.is_inside(i)) continue;
+    const bool both = a.cloud.is_inside(i) && b.cloud.is_inside(i);
     sum += a.cloud.areas[i] *
-           (a.registration.feet[i].position - b.registration.feet[i].position).squaredNorm();
+           (both ? (a.registration.feet[i].position - b.registration.feet[i].position).squaredNorm()
+                 : kLeftOut * kLeftOut);
+  }
   return std::sqrt(sum);
 }
 

@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "isomatch/context.h"
 #include "tracked/hypotheses/judging.h"
+#include "tracked/tracks/overlap.h"
 
 namespace isomatch::tracked {
 
@@ -24,10 +26,17 @@ struct Track {
   elastic::Registration registration;
   /// More than 1 for mirror images, see `Options::mirror_price`.
   double price = 1;
+  /// What is left out, as elastic energy and as distance.
+  double energy_left_out = 0, distance_left_out = 0;
+  /// The parts that overlapped when it was last looked at; none where nothing is missing.
+  std::shared_ptr<const Overlap> overlap = nullptr;
 
   /// How badly the surfaces fit, to be compared on one level. The energy of the fine registration
   /// is large where a map is torn, the distance where it leaves bulges of the target uncovered.
-  double cost() const { return price * registration.energy * registration.distance; }
+  double cost() const {
+    return price * (registration.energy + energy_left_out) *
+           (registration.distance + distance_left_out);
+  }
 };
 
 /// Carries hypotheses on to maps onto one target. Spectral steps know distances along the surface,
@@ -42,19 +51,27 @@ class Refinement {
   /// The track after the remaining rounds, on the fine level.
   Track finish(const Track& middle) const;
   /// The last rounds of a track on the fine level, `first` and later ones, that begins at
-  /// `vertices`.
-  Track fine_rounds(const Judged& judged, std::vector<int> vertices, int first) const;
+  /// `vertices`; `inside` are the nodes that have a counterpart.
+  Track fine_rounds(const Judged& judged, std::vector<int> vertices, std::vector<bool> inside,
+                    int first) const;
   /// A last registration of a track on the fine level, close to `anchors`.
   void settle(Track& track, std::span<const Point> anchors) const;
   /// For each target node the nearest node of the deformed source.
   std::vector<int> nearest_nodes(const Track& track) const;
+  /// The target nodes that the source covers, given the nearest nodes. Empty where nothing is
+  /// missing.
+  std::vector<bool> covered_target(const Track& track, const std::vector<int>& nearest) const;
 
  private:
   Track enter(const Judged& judged, const Level& source, const Level& target,
-              std::vector<int> vertices) const;
+              std::vector<int> vertices, std::vector<bool> inside) const;
   Track registered(const Judged& judged, const Level& source, const Level& target) const;
   void mend(Track& track) const;
-  std::vector<int> spectral_step(const Track& track, const Level& wanted, int round) const;
+  std::vector<int> spectral_step(Track& track, const Level& wanted, int round) const;
+  std::vector<int> overlap_step(Track& track, const Level& wanted, int round) const;
+  std::shared_ptr<const Overlap> overlap_of(const Track& track, const std::vector<int>& nearest,
+                                            int functions) const;
+  void look_at_overlap(Track& track) const;
   static bool is_fine(const Track& track);
   void run_round(Track& track, int round) const;
   void advance(Track& track, const elastic::Projection& onto,

@@ -22,15 +22,17 @@ Track reverse_track(const Track& track, const Refinement& refinement, const Pyra
   const Pyramid& source = *track.judged.source;
   Judged judged = track.judged;
   judged.source = &target;
+  const std::vector<int> nearest = refinement.nearest_nodes(track);
   return Refinement(source, options, context)
-      .fine_rounds(judged, node_vertices(source.proxy, refinement.nearest_nodes(track)),
+      .fine_rounds(judged, node_vertices(source.proxy, nearest),
+                   refinement.covered_target(track, nearest),
                    std::max(0, options.rounds - options.reverse_rounds));
 }
 
 /// Where the nodes of the source are on the target, since the target came to lie on them.
 std::vector<Point> places_below(const Level& nodes, const Proxy& source, const Proxy& target,
                                 const Track& reverse, const elastic::ProjectionWeights& weights) {
-  DeformedSurface deformed = deformed_surface(target, reverse.deformation, reverse.cloud.features);
+  DeformedSurface deformed = deformed_surface(target, reverse.deformation, reverse.cloud);
   const Mesh mesh{std::move(deformed.positions), target.mesh.faces};
   const elastic::Projection onto(mesh, target.faces, deformed.normals, deformed.features, weights);
   std::vector<Point> places;
@@ -50,6 +52,10 @@ void settle_with_reverse(Track& track, const Refinement& refinement, const Pyram
   std::vector<Point> anchors = places_below(*track.source, track.judged.source->proxy, target.proxy,
                                             reverse, options.fine_projection);
   for (std::size_t i = 0; i < anchors.size(); ++i) {
+    if (!track.cloud.is_inside(static_cast<int>(i))) {
+      anchors[i] = track.deformation.positions()[i];
+      continue;
+    }
     const Point& own = track.registration.feet[i].position;
     anchors[i] =
         (anchors[i] - own).norm() < options.max_disagreement ? Point((anchors[i] + own) / 2) : own;

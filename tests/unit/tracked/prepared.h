@@ -15,7 +15,7 @@ struct Prepared {
         surface(*shape.surface()),
         detail(tracked::make_detail(shape, surface, {.detail_vertices = surface.num_vertices()},
                                     context)),
-        proxy(tracked::make_proxy(detail, surface.oriented, options, context)) {}
+        proxy(tracked::make_proxy(detail, surface.oriented, false, options, context)) {}
 
   PreparedShape shape;
   const Surface& surface;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <ranges>
 #include <span>
@@ -35,6 +36,7 @@ Proxy proxy_of(const std::vector<Point>& points) {
   proxy.nodes.resize(n);
   std::iota(proxy.nodes.begin(), proxy.nodes.end(), 0);
   proxy.distances.resize(n, n);
+  proxy.to_boundary.assign(n, std::numeric_limits<float>::infinity());
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < n; ++b)
       proxy.distances(a, b) = static_cast<float>((points[a] - points[b]).norm());

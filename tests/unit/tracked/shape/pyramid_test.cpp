@@ -30,16 +30,16 @@ class PyramidTest : public testing::Test {
 };
 
 TEST_F(PyramidTest, IsMadeOnceAndKept) {
-  const auto first = pyramid_of(shape_, false, kSmall, {});
-  EXPECT_EQ(pyramid_of(shape_, false, kSmall, {}), first);
-  const auto image = pyramid_of(shape_, true, kSmall, {});
+  const auto first = pyramid_of(shape_, {}, kSmall, {});
+  EXPECT_EQ(pyramid_of(shape_, {}, kSmall, {}), first);
+  const auto image = pyramid_of(shape_, {.mirrored = true}, kSmall, {});
   EXPECT_NE(image, first);
   EXPECT_TRUE(image->mirrored);
   PyramidOptions other = kSmall;
   other.functions = 10;
-  EXPECT_NE(pyramid_of(shape_, false, other, {}), first);
-  EXPECT_EQ(pyramid_of(shape_, true, kSmall, {}), image);
-  EXPECT_EQ(pyramid_of(shape_, false, kSmall, {}), first);
+  EXPECT_NE(pyramid_of(shape_, {}, other, {}), first);
+  EXPECT_EQ(pyramid_of(shape_, {.mirrored = true}, kSmall, {}), image);
+  EXPECT_EQ(pyramid_of(shape_, {}, kSmall, {}), first);
 }
 
 TEST_F(PyramidTest, IsMadeOnceForAllThreads) {
@@ -47,7 +47,7 @@ TEST_F(PyramidTest, IsMadeOnceForAllThreads) {
   {
     std::vector<std::jthread> threads;
     for (auto& own : made)
-      threads.emplace_back([&] { own = pyramid_of(shape_, false, kSmall, test::with_threads(1)); });
+      threads.emplace_back([&] { own = pyramid_of(shape_, {}, kSmall, test::with_threads(1)); });
   }
   for (const auto& own : made) EXPECT_EQ(own, made.front());
 }
@@ -57,12 +57,12 @@ TEST_F(PyramidTest, IsMadeAgainAfterAStop) {
   stop.request_stop();
   Context stopped;
   stopped.stop = stop.get_token();
-  EXPECT_THROW(pyramid_of(shape_, false, kSmall, stopped), Cancelled);
-  EXPECT_NE(pyramid_of(shape_, false, kSmall, {}), nullptr);
+  EXPECT_THROW(pyramid_of(shape_, {}, kSmall, stopped), Cancelled);
+  EXPECT_NE(pyramid_of(shape_, {}, kSmall, {}), nullptr);
 }
 
 TEST_F(PyramidTest, GetsSmallerLevelByLevel) {
-  const Pyramid pyramid = make_pyramid(shape_, false, kSmall, {});
+  const Pyramid pyramid = make_pyramid(shape_, {}, kSmall, {});
   EXPECT_EQ(pyramid.surface, shape_.surface());
   EXPECT_EQ(pyramid.anchors.size(), shape_.surface()->mesh.vertices.size());
   EXPECT_NEAR(pyramid.detail.mesh.num_vertices(), 800, 16);
@@ -74,8 +74,8 @@ TEST_F(PyramidTest, GetsSmallerLevelByLevel) {
 }
 
 TEST_F(PyramidTest, OfTheMirrorImageIsTheMirrorImage) {
-  const Pyramid plain = make_pyramid(shape_, false, kSmall, {});
-  const Pyramid image = make_pyramid(shape_, true, kSmall, {});
+  const Pyramid plain = make_pyramid(shape_, {}, kSmall, {});
+  const Pyramid image = make_pyramid(shape_, {.mirrored = true}, kSmall, {});
   EXPECT_TRUE(image.proxy.oriented);
   ASSERT_EQ(image.surface->num_vertices(), plain.surface->num_vertices());
   for (int v = 0; v < plain.surface->num_vertices(); ++v) {
@@ -86,8 +86,8 @@ TEST_F(PyramidTest, OfTheMirrorImageIsTheMirrorImage) {
 
 TEST(Pyramid, OfASmallShapeSharesItsGeodesics) {
   const PreparedShape shape(test::rough_sphere(3, 0.1, 1), {});
-  const Pyramid plain = make_pyramid(shape, false, {}, {}),
-                image = make_pyramid(shape, true, {}, {});
+  const Pyramid plain = make_pyramid(shape, {}, {}, {}),
+                image = make_pyramid(shape, {.mirrored = true}, {}, {});
   EXPECT_EQ(plain.detail.graph, shape.graph({}, {}));
   EXPECT_EQ(plain.proxy.graph, plain.detail.graph);
   EXPECT_EQ(image.detail.graph, plain.detail.graph);

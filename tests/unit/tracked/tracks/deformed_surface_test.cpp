@@ -20,7 +20,7 @@ namespace {
 /// With a detail of a part of the vertices.
 Pyramid small_pyramid(const Mesh& mesh) {
   const PyramidOptions options{.detail_vertices = 800, .proxy = {.vertices = 500, .nodes = 150}};
-  return make_pyramid(PreparedShape(mesh, {}), false, options, {});
+  return make_pyramid(PreparedShape(mesh, {}), {}, options, {});
 }
 
 elastic::Deformation deformation_of(const Pyramid& pyramid) {
@@ -30,7 +30,7 @@ elastic::Deformation deformation_of(const Pyramid& pyramid) {
 
 DeformedSurface carried(const Pyramid& pyramid, const elastic::Deformation& deformation) {
   return deformed_surface(pyramid, deformation,
-                          node_graph(pyramid.proxy, deformation.size()).cloud.features, {});
+                          node_graph(pyramid.proxy, deformation.size()).cloud, {});
 }
 
 TEST(DeformedSurface, CarriesARigidMotionExactly) {
@@ -61,8 +61,8 @@ TEST(DeformedSurface, OfAProxyIsThatOfItsVertices) {
   for (Point& p : bent) p = Point(p.x() + 0.3 * p.y() * p.y(), p.y(), p.z());
   deformation.set_positions(bent);
   for (int i = 0; i < 20; ++i) deformation.fit_rotations(0);
-  const auto features = node_graph(pyramid.proxy, deformation.size()).cloud.features;
-  const DeformedSurface result = deformed_surface(pyramid.proxy, deformation, features);
+  const auto nodes = node_graph(pyramid.proxy, deformation.size()).cloud;
+  const DeformedSurface result = deformed_surface(pyramid.proxy, deformation, nodes);
   ASSERT_EQ(result.positions.size(), pyramid.proxy.num_vertices());
   ASSERT_EQ(result.features.size(), pyramid.proxy.num_vertices());
   double sum = 0;

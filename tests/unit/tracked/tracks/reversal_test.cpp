@@ -36,7 +36,7 @@ class ReversalTest : public testing::Test {
   Posed posed(int pose) const {
     const SynthShape shape = synthesize({.vertices = 1500, .pose = pose});
     const PreparedShape prepared(shape.mesh, {});
-    return {make_pyramid(prepared, false, options_.pyramid, {}),
+    return {make_pyramid(prepared, {}, options_.pyramid, {}),
             selected(shape.rest, prepared.surface()->input_vertex)};
   }
 
@@ -52,7 +52,7 @@ class ReversalTest : public testing::Test {
       vertices.push_back(
           nearest(target.pyramid.proxy.mesh.vertices, true_place(source, target, i)));
     return Refinement(target.pyramid, options_)
-        .fine_rounds({{}, 0, &source.pyramid}, vertices, options_.rounds - rounds);
+        .fine_rounds({{}, 0, &source.pyramid}, vertices, {}, options_.rounds - rounds);
   }
 
   void settle(Track& track, const Posed& target) const {
