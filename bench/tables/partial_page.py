@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileCopyrightText: 2026 The isomatch authors
+"""The tables of `partial.py`."""
+
+from common import commit, machine, mean, percentile, table_head, table_line
+from partial_scores import CLOSE, TENTHS
+
+GROSS = 10  # Mean error, x100 over sqrt(area), above which a map is wrong as a whole.
+
+
+def figure(value, form=".2f"):
+    return "" if value is None or value != value else format(value, form)
+
+
+def is_flipped(row):
+    """By the mirrored truth; where there is none, by the orientation of the map."""
+    return bool(row.get("reverses") if row.get("flipped") is None else row["flipped"])
+
+
+def is_wrong(row):
+    return not is_flipped(row) and (row["error"] is None or row["error"] > GROSS)
+
+
+def line(row):
+    """A pair in a line of text."""
+    if "failure" in row:
+        return f"{row['name']}  {row['failure']}"
+    parts = [row["name"], f"error {figure(row['error'])}"]
+    if row.get("length"):
+        parts.append(f"{row['length']:.2f} mm at {row['landmarks']} landmarks")
+    for key in ("iou", "precision", "recall"):
+        if row.get(key) is not None:
+            parts.append(f"{key} {row[key]:.2f}")
+    parts += [f"unmatched {row['unmatched']:.2f}", f"{row['seconds']:.1f} s", row.get("grade", "")]
+    return "  ".join([*parts, *(["flipped"] if is_flipped(row) else [])])
+
+
+def of(rows, key):
+    return [row[key] for row in rows if row.get(key) is not None]
+
+
+COLUMNS = ["pairs", "error", "median", "worst pair", "IoU", "precision", "recall", "unmatched",
+           f"above {GROSS}", "flipped", "failed", "good, doubtful, poor", "seconds"]
+
+
+def cells(all_rows):
+    rows = [row for row in all_rows if "failure" not in row]
+    errors = of(rows, "error")
+    worst = max((row for row in rows if row["error"] is not None), key=lambda row: row["error"],
+                default=None)
+    grades = of(rows, "grade")
+    return [len(all_rows), figure(mean(errors)), figure(percentile(errors, .5)),
+            f"{worst['name']}: {worst['error']:.2f}" if worst else "",
+            *(figure(mean(of(rows, key))) for key in ("iou", "precision", "recall", "unmatched")),
+            sum(map(is_wrong, rows)), sum(map(is_flipped, rows)), len(all_rows) - len(rows),
+            ", ".join(str(grades.count(grade)) for grade in ("good", "doubtful", "poor")),
+            figure(percentile(of(rows, "seconds"), .5), ".1f")]
+
+
+def larger_overlaps(rows):
+    """The half of the pairs of which more is common to both."""
+    known = sorted((row for row in rows if row.get("overlap")), key=lambda row: row["overlap"])
+    return known[len(known) // 2:]
+
+
+def groups(rows):
+    """Rows of each set, and of what is reported on its own within it."""
+    result = {}
+    for title in dict.fromkeys(row["set"] for row in rows):
+        own = [row for row in rows if row["set"] == title]
+        result[title, ""] = own
+        for group in dict.fromkeys(row["group"] for row in own if row["group"]):
+            result[title, group] = [row for row in own if row["group"] == group]
+        if title == "partial_smal" and len(own) > 1:
+            result[title, "larger overlaps"] = larger_overlaps(own)
+    return result
+
+
+def summary(rows):
+    lines = [table_line([*key, *cells(own)]) for key, own in groups(rows).items()]
+    return "\n".join(table_head(["data", "", *COLUMNS]) + lines)
+
+
+def landmark_table(rows):
+    rows = [row for row in rows if row.get("length")]
+    if not rows:
+        return ""
+    lengths = of(rows, "length")
+    worst = max(rows, key=lambda row: row["length"])
+    head = table_head(["pairs", "mean mm", "median", "worst pair", "landmarks matched"])
+    return "\n".join(["", "", "## Landmarks of skulls", "", *head, table_line(
+        [len(rows), figure(mean(lengths)), figure(percentile(lengths, .5)),
+         f"{worst['name']}: {worst['length']:.2f}", figure(mean(of(rows, "landmarks")), ".1f")])])
+
+
+def calibration(rows):
+    """In each tenth of confidence the share of matches in it, and of these the share that is right,
+    None if there are none; every pair weighs alike."""
+    known = of(rows, "calibration")
+    totals = [[sum(pair[k][i] for pair in known) for i in (0, 1)] for k in range(TENTHS)]
+    return [(matched / max(1, len(known)), right / matched if matched > 0 else None)
+            for matched, right in totals] if known else []
+
+
+def calibration_table(rows):
+    tenths = calibration(rows)
+    if not tenths:
+        return ""
+    lines = [table_line([f"{k / TENTHS:.1f} to {(k + 1) / TENTHS:.1f}", figure(matched, ".3f"),
+                         figure(right, ".3f")]) for k, (matched, right) in enumerate(tenths)]
+    head = table_head(["confidence", "share of matches", "of these right"])
+    return "\n".join(["", "", "## Confidence", "", "A match is right if its error is at most "
+                      f"{CLOSE} sqrt(area); where there is no counterpart, none is.", "", *head,
+                      *lines])
+
+
+HEADER = """# Pieces, fused parts and rigid shapes
+
+Made by `bench/tables/partial.py` at commit {commit} on {machine}; {jobs} at a time, of {threads}
+threads{options}. Every shape was turned and shifted by itself.
+
+"""
+
+TEXT = """Errors are geodesic distances of a pair's map to points on triangles from the truth, x100
+over sqrt(area), averaged over what has an answer in both; of skulls straight distances of landmarks.
+The area is the target's; for partial_cuts that of the larger uncut shape, for partial_smal 1, the
+area of the whole animals. *IoU* is that of the matched and the truly common part of the source,
+*precision* and *recall* those of what was said to have no counterpart, *unmatched* the share of
+vertices of which that was said. Maps *above {gross}* are not flipped. *Flipped* ones are nearer to
+the left-right symmetric truth than to the true one; where none is known, they reverse orientation.
+The *larger overlaps* are the half of the pairs with more in common. Seconds are the median wall
+time of the whole program.
+
+"""
+
+
+def pairs_section(rows):
+    lines = ["", "", "## Pairs", ""]
+    columns = ["error", "iou", "precision", "recall", "overlap", "unmatched"]
+    lines += table_head(["data", "pair", *columns, "flipped", "fit", "seconds"])
+    for row in rows:
+        if "failure" in row:
+            lines.append(table_line([row["set"], row["name"], row["failure"]]))
+            continue
+        lines.append(table_line([row["set"], row["name"], *(figure(row.get(k)) for k in columns),
+                                 "yes" if is_flipped(row) else "", row.get("grade", ""),
+                                 figure(row["seconds"], ".1f")]))
+    return "\n".join(lines)
+
+
+def page(arguments, rows):
+    options = "".join(f" {word}" for word in arguments.options)
+    text = HEADER.format(commit=commit(), machine=machine(), jobs=arguments.jobs,
+                         threads=arguments.threads, options=options and f", with{options}")
+    text += TEXT.format(gross=GROSS) + summary(rows) + landmark_table(rows)
+    return text + calibration_table(rows) + pairs_section(rows) + "\n"
