@@ -57,13 +57,17 @@ def matched_and_kept(arguments, pair, meshes):
         return matched(arguments, pair, meshes, pathlib.Path(folder))
 
 
-def computed(arguments, pair, meshes):
-    """The figures of a map made here, by a rigid motion or from the truth."""
+def figures_of_truth(pair, meshes):
+    """Those of the truth as a map, which should be perfect."""
+    source, target = map(read_surface, meshes)
+    figures = score(pair, source, target, lambda truth: true_map(truth, source, target))
+    return {**figures, "seconds": 0}
+
+
+def rigid_figures(pair, meshes):
+    """Those of the nearest vertices after a rigid alignment."""
     source, target = map(read_surface, meshes)
     start = time.perf_counter()
-    if arguments.truth:
-        return {**score(pair, source, target, lambda truth: true_map(truth, source, target)),
-                "seconds": 0}
     found = rigid_map(source, target)
     seconds = time.perf_counter() - start
     return {**score(pair, source, target, lambda _: found), "seconds": seconds}
@@ -75,12 +79,12 @@ def outcome(arguments, pair):
            "name": pair.name}
     meshes = [turned_file(pair, name, arguments.turned) for name in (pair.source, pair.target)]
     try:
-        if arguments.rigid or arguments.truth:
-            row.update(computed(arguments, pair, meshes))
-        else:
-            row.update(matched_and_kept(arguments, pair, meshes))
+        row.update(figures_of_truth(pair, meshes) if arguments.truth else
+                   matched_and_kept(arguments, pair, meshes))
     except ProgramFailed as error:
         row["failure"] = str(error).splitlines()[-1]
+    if arguments.rigid and pair.set == "skulls":
+        row["rigid"] = rigid_figures(pair, meshes)
     print(f"{pair.set}: {partial_page.line(row)}", file=sys.stderr, flush=True)
     return row
 
@@ -114,11 +118,12 @@ def parse_arguments(words):
     parser.add_argument("--keep", type=pathlib.Path, help="keep results, as SET/A__B in here")
     parser.add_argument("--json", type=pathlib.Path, help="write the figures of each pair")
     parser.add_argument("--rigid", action="store_true",
-                        help="measure nearest vertices after a rigid alignment instead")
+                        help="align skulls rigidly as well, to compare with; always for the page")
     parser.add_argument("--truth", action="store_true", help=argparse.SUPPRESS)
     arguments = parser.parse_args(words)
-    arguments.is_whole = not (arguments.sets or arguments.pairs or arguments.rigid or
-                              arguments.truth or arguments.every > 1 or arguments.offset)
+    arguments.is_whole = not (arguments.sets or arguments.pairs or arguments.truth or
+                              arguments.every > 1 or arguments.offset)
+    arguments.rigid |= arguments.is_whole
     arguments.sets = arguments.sets.split(",") if arguments.sets else SETS
     arguments.threads = max(1, (os.cpu_count() or 1) // arguments.jobs)
     for title in arguments.sets:
@@ -135,10 +140,15 @@ def main():
     rows = measure(arguments)
     if arguments.json:
         arguments.json.write_text(json.dumps(rows, indent=1) + "\n")
-    text = partial_page.page(arguments, rows)
-    print(text.split("\n## Pairs")[0])
-    if arguments.out or (arguments.is_whole and not arguments.options):
-        path = arguments.out or PAGE
+    path = arguments.out
+    if not path and arguments.is_whole and not arguments.options:
+        path = PAGE
+    picture = path and partial_page.calibration(rows) and path.with_suffix(".svg")
+    text = partial_page.page(arguments, rows, picture and picture.name)
+    print(partial_page.without_pairs(text))
+    if picture:
+        partial_page.plot_calibration(rows, picture)
+    if path:
         write_page(path, text)
 
 

@@ -32,6 +32,8 @@ def line(row):
         if row.get(key) is not None:
             parts.append(f"{key} {row[key]:.2f}")
     parts += [f"unmatched {row['unmatched']:.2f}", f"{row['seconds']:.1f} s", row.get("grade", "")]
+    if "rigid" in row:
+        parts.append(f"rigid {figure(row['rigid']['length'])} mm")
     return "  ".join([*parts, *(["flipped"] if is_flipped(row) else [])])
 
 
@@ -81,16 +83,27 @@ def summary(rows):
     return "\n".join(table_head(["data", "", *COLUMNS]) + lines)
 
 
-def landmark_table(rows):
-    rows = [row for row in rows if row.get("length")]
-    if not rows:
-        return ""
+def landmark_cells(title, rows):
     lengths = of(rows, "length")
-    worst = max(rows, key=lambda row: row["length"])
-    head = table_head(["pairs", "mean mm", "median", "worst pair", "landmarks matched"])
-    return "\n".join(["", "", "## Landmarks of skulls", "", *head, table_line(
-        [len(rows), figure(mean(lengths)), figure(percentile(lengths, .5)),
-         f"{worst['name']}: {worst['length']:.2f}", figure(mean(of(rows, "landmarks")), ".1f")])])
+    worst = max(rows, key=lambda row: row["length"] or 0, default=None)
+    return [title, len(rows), *(figure(value(lengths)) for value in (
+        mean, lambda values: percentile(values, .5))),
+            f"{worst['name']}: {figure(worst['length'])}" if worst else "",
+            figure(mean(of(rows, "error"))), figure(mean(of(rows, "landmarks")), ".1f"),
+            figure(percentile(of(rows, "seconds"), .5), ".1f")]
+
+
+def landmark_table(rows):
+    skulls = [row for row in rows if "length" in row]
+    rigid = [{"name": row["name"], **row["rigid"]} for row in rows if "rigid" in row]
+    if not skulls and not rigid:
+        return ""
+    columns = ["method", "pairs", "mean mm", "median", "worst pair", "error", "landmarks matched",
+               "seconds"]
+    lines = [table_line(landmark_cells("tracked", skulls))]
+    if rigid:
+        lines.append(table_line(landmark_cells("rigid alignment with nearest vertices", rigid)))
+    return "\n".join(["", "", "## Landmarks of skulls", "", *table_head(columns), *lines])
 
 
 def calibration(rows):
@@ -102,7 +115,7 @@ def calibration(rows):
             for matched, right in totals] if known else []
 
 
-def calibration_table(rows):
+def calibration_table(rows, picture):
     tenths = calibration(rows)
     if not tenths:
         return ""
@@ -111,7 +124,17 @@ def calibration_table(rows):
     head = table_head(["confidence", "share of matches", "of these right"])
     return "\n".join(["", "", "## Confidence", "", "A match is right if its error is at most "
                       f"{CLOSE} sqrt(area); where there is no counterpart, none is.", "", *head,
-                      *lines])
+                      *lines, "", *([f"![Confidence]({picture})"] if picture else [])])
+
+
+def plot_calibration(rows, path):
+    """Needs matplotlib, unlike all else here."""
+    from plots import line_plot
+    known = [((k + .5) / TENTHS, right) for k, (_, right) in enumerate(calibration(rows))
+             if right is not None]
+    lines = {"found": (*zip(*known), "-"), "perfect": ((0, 1), (0, 1), "--")}
+    line_plot(path, lines, "confidence", "share of matches that are right", "Confidence",
+              {"xlim": (0, 1), "ylim": (0, 1)})
 
 
 HEADER = """# Pieces, fused parts and rigid shapes
@@ -148,9 +171,14 @@ def pairs_section(rows):
     return "\n".join(lines)
 
 
-def page(arguments, rows):
+def page(arguments, rows, picture):
+    """`picture`: the file of the plot of confidence, beside the page, or None."""
     options = "".join(f" {word}" for word in arguments.options)
     text = HEADER.format(commit=commit(), machine=machine(), jobs=arguments.jobs,
                          threads=arguments.threads, options=options and f", with{options}")
     text += TEXT.format(gross=GROSS) + summary(rows) + landmark_table(rows)
-    return text + calibration_table(rows) + pairs_section(rows) + "\n"
+    return text + calibration_table(rows, picture) + pairs_section(rows) + "\n"
+
+
+def without_pairs(text):
+    return text[:text.index("\n## Pairs")]

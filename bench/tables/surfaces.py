@@ -3,11 +3,16 @@
 """Triangle meshes as numpy arrays: files, areas, and distances along the surface."""
 
 import os
+import sys
 import tempfile
 
-import numpy as np
-from scipy.sparse import coo_matrix, csr_matrix
-from scipy.sparse.csgraph import dijkstra
+try:
+    import numpy as np
+    from scipy.sparse import coo_matrix, csr_matrix
+    from scipy.sparse.csgraph import dijkstra
+except ImportError:
+    sys.exit("python3-numpy or python3-scipy is missing: install them by "
+             "scripts/install_packages.sh tables and run the tables with /usr/bin/python3")
 
 PLY_TYPES = {"float": "f4", "float32": "f4", "double": "f8", "float64": "f8", "uchar": "u1",
              "uint8": "u1", "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4"}
@@ -160,7 +165,7 @@ class Distances:
             rows = np.flatnonzero((start_of >= first) & (start_of < first + chunk))
             table = dijkstra(self.graph, False, starts[first:first + chunk])
             reached = table[start_of[rows] - first][np.arange(len(rows))[:, None], corners[rows]]
-            result[rows] = np.where(weights[rows] > 0, weights[rows] * reached, 0).sum(1)
+            result[rows] = (weights[rows] * np.where(weights[rows] > 0, reached, 0)).sum(1)
         points = self.points(faces, weights)
         straight = np.linalg.norm(points - self.surface.vertices[vertices], axis=1)
         return np.where(np.isfinite(result), result, straight)
