@@ -117,6 +117,8 @@ def parse_arguments(words):
                         help="where turned shapes are kept")
     parser.add_argument("--keep", type=pathlib.Path, help="keep results, as SET/A__B in here")
     parser.add_argument("--json", type=pathlib.Path, help="write the figures of each pair")
+    parser.add_argument("--compare", type=pathlib.Path, help="print what changed since the run whose "
+                        "figures are in this file")
     parser.add_argument("--rigid", action="store_true",
                         help="align skulls rigidly as well, to compare with; always for the page")
     parser.add_argument("--truth", action="store_true", help=argparse.SUPPRESS)
@@ -146,6 +148,8 @@ def main():
     picture = path and partial_page.calibration(rows) and path.with_suffix(".svg")
     text = partial_page.page(arguments, rows, picture and picture.name)
     print(partial_page.without_pairs(text))
+    if arguments.compare:
+        print(partial_page.comparison(rows, json.loads(arguments.compare.read_text())))
     if picture:
         partial_page.plot_calibration(rows, picture)
     if path:

@@ -137,6 +137,26 @@ def plot_calibration(rows, path):
               {"xlim": (0, 1), "ylim": (0, 1)})
 
 
+def comparison(rows, earlier_rows):
+    """The means of each group in an earlier run and in this one, over the pairs that are in both, and
+    the pairs that became better or worse most."""
+    earlier = {(row["set"], row["name"]): row for row in earlier_rows if row.get("error")}
+    both = [(earlier[row["set"], row["name"]], row) for row in rows
+            if row.get("error") and (row["set"], row["name"]) in earlier]
+    columns = ["error", "iou", "precision", "recall", "unmatched", "seconds"]
+    lines = table_head(["data", "", "pairs", *columns])
+    for key, own in groups([row for _, row in both]).items():
+        pairs = [(old, row) for old, row in both if any(row is chosen for chosen in own)]
+        means = [" to ".join(figure(mean(of(side, column))) for side in zip(*pairs))
+                 for column in columns]
+        lines.append(table_line([*key, len(pairs), *means]))
+    both.sort(key=lambda pair: pair[1]["error"] - pair[0]["error"])
+    lines += ["", "Changed most:"]
+    lines += [f"  {row['set']} {row['name']}: {old['error']:.2f} to {row['error']:.2f}"
+              for old, row in (both if len(both) <= 10 else both[:5] + both[-5:])]
+    return "\n".join(lines)
+
+
 HEADER = """# Pieces, fused parts and rigid shapes
 
 Made by `bench/tables/partial.py` at commit {commit} on {machine}; {jobs} at a time, of {threads}

@@ -149,6 +149,33 @@ def without_longer_twins(graph, n):
     return csr_matrix((data[first], (low[first], high[first])), (n, n))
 
 
+def entering(start_distance, end_distance, start, end, points):
+    """Distances of points in the planes of triangles from a source whose distances from both ends of
+    an edge are known, by the straight way over that edge; infinite where there is none."""
+    length = np.linalg.norm(end - start, axis=1)
+    direction = (end - start) / length[:, None]
+    source_along = (length ** 2 + start_distance ** 2 - end_distance ** 2) / (2 * length)
+    source_away = np.sqrt(np.maximum(start_distance ** 2 - source_along ** 2, 0))
+    along = ((points - start) * direction).sum(1)
+    away = np.sqrt(np.maximum(((points - start) ** 2).sum(1) - along ** 2, 0))
+    share = np.divide(source_away, source_away + away, out=np.zeros_like(away),
+                      where=source_away + away > 0)
+    crossing = source_along + share * (along - source_along)
+    distance = np.hypot(along - source_along, away + source_away)
+    return np.where((crossing >= 0) & (crossing <= length), distance, np.inf)
+
+
+def within_triangles(corner_distances, corners, points):
+    """Distances (k) of points in triangles (k, 3, 3) from sources whose distances from the corners
+    (k, 3) are known."""
+    offsets = np.linalg.norm(corners - points[:, None], axis=2)
+    ways = [corner_distances[:, k] + offsets[:, k] for k in range(3)]
+    for a, b in ((0, 1), (1, 2), (2, 0)):
+        ways.append(entering(corner_distances[:, a], corner_distances[:, b], corners[:, a],
+                             corners[:, b], points))
+    return np.fmin.reduce(ways)
+
+
 class Distances:
     """Geodesic distances on a surface, by Dijkstra's algorithm on its graph of links."""
 
@@ -156,17 +183,17 @@ class Distances:
         self.surface, self.graph = surface, link_graph(surface)
 
     def between(self, vertices, faces, weights, chunk=50):
-        """From each vertex to the point of the same line, given by a face and weights (k, 3): the
-        weighted mean over the face's corners; straight where there is no way."""
-        corners = self.surface.faces[faces]
-        result = np.empty(len(vertices))
+        """From each vertex to the point of the same line, given by a face and weights (k, 3);
+        straight where there is no way."""
+        corners, points = self.surface.faces[faces], self.points(faces, weights)
+        reached = np.empty((len(vertices), 3))
         starts, start_of = np.unique(vertices, return_inverse=True)
         for first in range(0, len(starts), chunk):
             rows = np.flatnonzero((start_of >= first) & (start_of < first + chunk))
             table = dijkstra(self.graph, False, starts[first:first + chunk])
-            reached = table[start_of[rows] - first][np.arange(len(rows))[:, None], corners[rows]]
-            result[rows] = (weights[rows] * np.where(weights[rows] > 0, reached, 0)).sum(1)
-        points = self.points(faces, weights)
+            reached[rows] = table[start_of[rows, None] - first, corners[rows]]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            result = within_triangles(reached, self.surface.vertices[corners], points)
         straight = np.linalg.norm(points - self.surface.vertices[vertices], axis=1)
         return np.where(np.isfinite(result), result, straight)
 
