@@ -117,8 +117,8 @@ def parse_arguments(words):
                         help="where turned shapes are kept")
     parser.add_argument("--keep", type=pathlib.Path, help="keep results, as SET/A__B in here")
     parser.add_argument("--json", type=pathlib.Path, help="write the figures of each pair")
-    parser.add_argument("--compare", type=pathlib.Path, help="print what changed since the run whose "
-                        "figures are in this file")
+    parser.add_argument("--compare", type=pathlib.Path,
+                        help="print what changed since the run whose figures are in this file")
     parser.add_argument("--rigid", action="store_true",
                         help="align skulls rigidly as well, to compare with; always for the page")
     parser.add_argument("--truth", action="store_true", help=argparse.SUPPRESS)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileCopyrightText: 2026 The isomatch authors
-"""Pairs of shapes of which parts have no counterpart, and of whole ones, with what is true of them."""
+"""Pairs of shapes of which parts have no counterpart, and of whole ones, with the truth."""
 
 import dataclasses
 import functools

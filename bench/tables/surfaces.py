@@ -150,8 +150,8 @@ def without_longer_twins(graph, n):
 
 
 def entering(start_distance, end_distance, start, end, points):
-    """Distances of points in the planes of triangles from a source whose distances from both ends of
-    an edge are known, by the straight way over that edge; infinite where there is none."""
+    """Distances of points in the planes of triangles from a source whose distances from both ends
+    of an edge are known, by the straight way over that edge; infinite where there is none."""
     length = np.linalg.norm(end - start, axis=1)
     direction = (end - start) / length[:, None]
     source_along = (length ** 2 + start_distance ** 2 - end_distance ** 2) / (2 * length)
