@@ -164,17 +164,17 @@ threads{options}. Every shape was turned and shifted by itself.
 
 """
 
-TEXT = """Errors are geodesic distances of a pair's map to points on triangles from the truth, x100
-over sqrt(area), averaged over what has an answer in both, at {samples} places of a pair or less; of
-skulls straight distances of landmarks. The area is the target's; for partial_cuts that of the larger
-uncut shape, for partial_smal 1, the area of the whole animals. *IoU* is that of the matched and the
-truly common part of the source, *precision* and *recall* those of what was said to have no
-counterpart, *unmatched* the share of vertices of which that was said. Maps *above {gross}* are not
-flipped. *Flipped* ones are nearer to the left-right symmetric truth than to the true one; where none
-is known, they reverse orientation. The *larger overlaps* are the half of the pairs with more in
-common. Seconds are the median wall time of the whole program. The truth of remeshed shapes
-(faust5k, tosca5k, smal5k and pieces of the first two) is a nearest vertex: it differs from itself by
-.2 to .6, where several points share a vertex.
+TEXT = """Errors are geodesic distances of a pair's map to points on triangles from the truth,
+x100 over sqrt(area), averaged over what has an answer in both, at {samples} places of a pair or
+less; of skulls straight distances of landmarks. The area is the target's; for partial_cuts that
+of the larger uncut shape, for partial_smal 1, the area of the whole animals. *IoU* is that of the
+matched and the truly common part of the source, *precision* and *recall* those of what was said
+to have no counterpart, *unmatched* the share of vertices of which that was said. Maps *above
+{gross}* are not flipped. *Flipped* ones are nearer to the left-right symmetric truth than to the
+true one; where none is known, they reverse orientation. The *larger overlaps* are the half of the
+pairs with more in common. Seconds are the median wall time of the whole program. The truth of
+remeshed shapes (faust5k, tosca5k, smal5k and pieces of the first two) is a nearest vertex: it
+differs from itself by .2 to .6, where several points share a vertex.
 
 """
 
