@@ -18,7 +18,7 @@ from ._meshes import Shape, write_mesh
 from ._options import takes_options
 from ._stages import Distortion, evaluate, isometric_distortion
 from ._transfer import Transfer
-from ._types import Method, PathLike, Progress, TruthLike
+from ._types import Method, PathLike, Progress, TrueMapLike, TruthLike
 
 
 class Hypothesis(NamedTuple):

@@ -329,7 +329,8 @@ def evaluate(
     gt
         Ground truth: a map (N) or pairs (K, 2) as above; or a tuple or list of two lists of
         corresponding vertices, arrays or files as in docs/formats.md such as .vts, of the source
-        and of the target, and maybe a third one of the target under its left-right symmetry.
+        and of the target, and maybe a third one of the target under its left-right symmetry, -1 (0
+        in a .vts file) where a mesh lacks a point.
     gt_map
         Ground truth of every source vertex, for shapes that are partial: a map (N), -1 where the
         target has no counterpart; points on triangles as above; or a file of either.
@@ -345,11 +346,10 @@ def evaluate(
         `overlap`, by template points; with `gt_map` `ground_truth_map`: errors on the overlap, and
         `overlap`, by area of the source: `iou` of the parts that the map and the truth match,
         `unmatched_precision` and `unmatched_recall`, each None where its denominator is 0,
-        `matched_share` and `truly_matched_share`. With
-        `per_vertex` `ground_truth` has also `per_vertex`, an array (N) of errors over sqrt(area),
-        NaN where a vertex has no truth or no match, the mean where it has several; and `curve`, an
-        `ErrorCurve` of these. The same goes for `ground_truth_map`, and for
-        `symmetric_ground_truth`, if there is a third list.
+        `matched_share` and `truly_matched_share`. With `per_vertex` `ground_truth` has also
+        `per_vertex`, an array (N) of errors over sqrt(area), NaN where a vertex has no truth or no
+        match, the mean where it has several; and `curve`, an `ErrorCurve` of these. The same goes
+        for `ground_truth_map`, and for `symmetric_ground_truth`, if there is a third list.
     """
     check_options(options, "truth", "distortion", function="evaluate")
     source, target = as_shape(source, threads=threads), as_shape(target, threads=threads)
