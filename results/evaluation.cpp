@@ -114,8 +114,7 @@ MeasuredMap measured_map(const Shape& target, const MatchContent& content) {
 }
 
 Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
-                    const Truth& truth, const EvaluationOptions& options,
-                    const Context& context) {
+                    const Truth& truth, const EvaluationOptions& options, const Context& context) {
   const auto& [at_source, at_target, at_symmetric_target] = truth.vertices;
   const auto against = [&](const std::vector<int>& places) {
     return evaluate_truth(source, target, map, at_source, places, options.truth, context);

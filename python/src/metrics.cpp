@@ -76,10 +76,9 @@ py::tuple evaluate(const MatchInput& source, const MatchInput& target, const py:
     const GroundTruth points{given.vertices.source, at_target};
     return errors_of(source, target, measured, points, how);
   };
-  return py::make_tuple(json, errors(given.vertices.target),
-                        errors(given.vertices.symmetric_target),
-                        given.map ? errors_of(source, target, measured, *given.map, how)
-                                  : py::object(py::none()));
+  return py::make_tuple(
+      json, errors(given.vertices.target), errors(given.vertices.symmetric_target),
+      given.map ? errors_of(source, target, measured, *given.map, how) : py::object(py::none()));
 }
 
 py::tuple distortion(const MatchInput& source, const MatchInput& target, const py::array& matches,
@@ -116,14 +115,15 @@ void bind_metrics(py::module_& module) {
   module.def("read_ground_truth", [](const std::string& path, int num_vertices) {
     return adopt(read_ground_truth(path, num_vertices));
   });
-  module.def("read_true_map", [](const std::string& path, const MatchInput& source,
-                                 const MatchInput& target) -> py::tuple {
-    TrueMap map = results::read_true_map(path, source.shape, target.shape);
-    if (auto* vertices = std::get_if<VertexMap>(&map))
-      return py::make_tuple(adopt(std::move(*vertices)));
-    auto [triangles, barycentric] = to_arrays(std::get<SurfaceMap>(std::move(map)));
-    return py::make_tuple(triangles, barycentric);
-  });
+  module.def(
+      "read_true_map",
+      [](const std::string& path, const MatchInput& source, const MatchInput& target) -> py::tuple {
+        TrueMap map = results::read_true_map(path, source.shape, target.shape);
+        if (auto* vertices = std::get_if<VertexMap>(&map))
+          return py::make_tuple(adopt(std::move(*vertices)));
+        auto [triangles, barycentric] = to_arrays(std::get<SurfaceMap>(std::move(map)));
+        return py::make_tuple(triangles, barycentric);
+      });
   module.def("isometric_distortion", distortion);
   module.def("map_orientation", orientation);
 }

@@ -267,8 +267,9 @@ TEST_F(EvalPartial, TextNamesWhatIsCounted) {
   EXPECT_THAT(output, HasSubstr("% of the source's area, truly "));
   EXPECT_THAT(output, HasSubstr("IoU 0."));
   EXPECT_THAT(output, HasSubstr("precision 0."));
-  EXPECT_THAT(run(arguments({"--gt-map", path("map.txt")})).output,
-              HasSubstr("IoU 1.0000\n  unmatched                       precision none  recall none"));
+  EXPECT_THAT(
+      run(arguments({"--gt-map", path("map.txt")})).output,
+      HasSubstr("IoU 1.0000\n  unmatched                       precision none  recall none"));
 }
 
 TEST_F(EvalPartial, WhatHasNoDenominatorIsNull) {
@@ -313,8 +314,9 @@ TEST_F(EvalPartial, BadTruthIsOneLine) {
   expect_refused("short.bary.txt", "0 1 0 0\n", "1 lines, but the source has 162 vertices");
   std::string lines;
   for (int v = 1; v <= 162; ++v) lines += fmt::format("{}\n", v);
-  expect_refused("from_one.txt", lines,
-                 "line 162: vertex 162 is out of range: the target has 162 vertices, numbered from 0");
+  expect_refused(
+      "from_one.txt", lines,
+      "line 162: vertex 162 is out of range: the target has 162 vertices, numbered from 0");
   expect_refused("low.txt", "-2\n" + vts(without(0, 161)).substr(2), "line 1: vertex -2 is out of");
   expect_refused("face.bary.txt", "320 1 0 0\n", "line 1: face 320 is out of range");
   expect_refused("word.txt", "x\n", "line 1: ");

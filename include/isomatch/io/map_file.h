@@ -73,9 +73,9 @@ MatchContent read_matches(const std::string& path, const MapChecks& checks = {},
                           std::optional<Numbering> numbering = std::nullopt,
                           MapReadReport* report = nullptr);
 
-/// Reads a ground truth: the vertex that stands for each template point, `kUnmatched` where the mesh
-/// lacks the point, in any of the formats that hold a vertex a point, with their numbering; commonly
-/// a .vts file, where 0 says so. Throws `BadFile` as `read_map`.
+/// Reads a ground truth: the vertex that stands for each template point, `kUnmatched` where the
+/// mesh lacks the point, in any of the formats that hold a vertex a point, with their numbering;
+/// commonly a .vts file, where 0 says so. Throws `BadFile` as `read_map`.
 std::vector<int> read_ground_truth(const std::string& path, std::optional<int> num_vertices);
 
 /// Writes the form of the map that the ending asks for, .npz both. `numbering` is that of .txt,

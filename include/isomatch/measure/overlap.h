@@ -66,11 +66,11 @@ struct OverlapErrors {
   ErrorStatistics over_max_geodesic;
 };
 
-/// Geodesic errors on the overlap: for each vertex of the source's surface that is matched and has a
-/// counterpart, the distance from the true place to each place that it is matched to. All weigh the
-/// same. Between two points of one triangle it is the straight line; otherwise the distance from a
-/// point to a vertex follows as in `point_errors` from those to the corners of the point's triangle,
-/// and between two points that is done at both ends: exact on flat surfaces.
+/// Geodesic errors on the overlap: for each vertex of the source's surface that is matched and has
+/// a counterpart, the distance from the true place to each place that it is matched to. All weigh
+/// the same. Between two points of one triangle it is the straight line; otherwise the distance
+/// from a point to a vertex follows as in `point_errors` from those to the corners of the point's
+/// triangle, and between two points that is done at both ends: exact on flat surfaces.
 OverlapErrors overlap_errors(const Shape& source, const Shape& target, const TrueMap& truth,
                              const Correspondence& matches, const TruthOptions& options = {},
                              const Context& context = {});

@@ -248,8 +248,7 @@ TEST_F(RandomOverlap, QualityIsThatOfCountingTriangles) {
   const Mesh& mesh = source_.mesh();
   for (const Face& face : mesh.faces) {
     const Point& a = mesh.vertices[face[0]];
-    const double third =
-        (mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a).norm() / 6;
+    const double third = (mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a).norm() / 6;
     for (const int v : face) {
       const bool matched = map[v] != kUnmatched, truly = truth[v] != kUnmatched;
       if (matched && truly) both += third;
@@ -279,8 +278,8 @@ TEST_F(RandomOverlap, ErrorsAreThoseOfTheTruthWithoutWhatIsUnmatched) {
   EXPECT_EQ(errors.over_sqrt_area.samples, expected.samples);
   EXPECT_NEAR(errors.over_sqrt_area.mean, expected.mean, kRounding);
   EXPECT_NEAR(errors.over_sqrt_area.p95, expected.p95, kRounding);
-  EXPECT_NEAR(errors.over_max_geodesic.mean,
-              match_errors(source_, target_, points, matches).mean, kRounding);
+  EXPECT_NEAR(errors.over_max_geodesic.mean, match_errors(source_, target_, points, matches).mean,
+              kRounding);
   const SurfaceMap map_points = corner_points(target_.mesh(), map);
   EXPECT_NEAR(overlap_errors(source_, target_, TrueMap(truth), map_points).over_sqrt_area.mean,
               point_errors(source_, target_, points, map_points).mean, kRounding);
@@ -308,8 +307,8 @@ TEST(Overlap, VerticesOffTheSurfaceDoNotCount) {
   EXPECT_EQ(whole.both, 1);
   // A counterpart that is off the target's surface is none.
   const auto off = std::ranges::find(truth, kUnmatched) - truth.begin();
-  const int on = static_cast<int>(std::ranges::find_if(truth, [](int v) { return v >= 0; }) -
-                                  truth.begin());
+  const int on =
+      static_cast<int>(std::ranges::find_if(truth, [](int v) { return v >= 0; }) - truth.begin());
   all[on] = truth[on] = static_cast<int>(off);
   const OverlapQuality part = overlap_quality(shape, shape, TrueMap(truth), to_correspondence(all));
   EXPECT_GT(part.neither, 0);
@@ -322,9 +321,9 @@ TEST(Overlap, VertexWhoseFirstFaceIsNotPartOfTheSurfaceHasItsPlace) {
   const Shape shape(mesh);
   const VertexMap all = identity(shape);
   EXPECT_EQ(overlap_quality(shape, shape, TrueMap(all), to_correspondence(all)).both, 1);
-  EXPECT_EQ(overlap_errors(shape, shape, TrueMap(all), to_correspondence(all))
-                .over_sqrt_area.samples,
-            shape.num_vertices());
+  EXPECT_EQ(
+      overlap_errors(shape, shape, TrueMap(all), to_correspondence(all)).over_sqrt_area.samples,
+      shape.num_vertices());
 }
 
 TEST(Overlap, CopiesAtASeamCountOnce) {
