@@ -46,8 +46,8 @@ void print_errors(std::string_view name, const ErrorStatistics& error) {
              error.median, error.p95, error.maximum);
 }
 
-std::string figure(const std::optional<double>& figure) {
-  return figure ? fmt::format("{:.4f}", *figure) : "none";
+std::string figure(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4f}", *value) : "none";
 }
 
 void print(const OverlapQuality& overlap, std::string_view unit) {

@@ -285,6 +285,17 @@ TEST_F(RandomOverlap, ErrorsAreThoseOfTheTruthWithoutWhatIsUnmatched) {
               point_errors(source_, target_, points, map_points).mean, kRounding);
 }
 
+TEST_F(RandomOverlap, ScaleAndPlaceDoNotMatter) {
+  const TrueMap truth = corner_points(target_.mesh(), random_map(0.3));
+  const Correspondence matches = to_correspondence(random_map(0.4));
+  const Shape source(test::scaled(test::moved(source_.mesh(), random_), 7));
+  const Shape target(test::scaled(test::moved(target_.mesh(), random_), 0.1));
+  EXPECT_NEAR(overlap_quality(source, target, truth, matches).iou().value(),
+              overlap_quality(source_, target_, truth, matches).iou().value(), 1e-9);
+  EXPECT_NEAR(overlap_errors(source, target, truth, matches).over_sqrt_area.mean,
+              overlap_errors(source_, target_, truth, matches).over_sqrt_area.mean, 1e-4);
+}
+
 TEST_F(RandomOverlap, ThreadsChangeNothing) {
   const TrueMap truth = corner_points(target_.mesh(), random_map(0.3));
   const Correspondence matches = to_correspondence(random_map(0.4));
