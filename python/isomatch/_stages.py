@@ -228,7 +228,8 @@ def map_orientation(
 
 
 def read_vts(path: PathLike) -> np.ndarray:
-    """Reads a .vts file, which numbers vertices from 1: an array of vertex indices from 0."""
+    """Reads a .vts file, which numbers vertices from 1: an array of vertex indices from 0, -1 where
+    it says 0, no vertex."""
     return np.array(_core.read_vts(os.fsencode(path)), dtype=np.int64)
 
 

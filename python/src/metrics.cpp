@@ -110,6 +110,7 @@ void bind_metrics(py::module_& module) {
   register_options<OrientationOptions>(module, "orientation");
   module.def("evaluate", evaluate);
   module.def("read_vts", [](const std::string& path) {
+    if (is_vts_file_name(path)) return adopt(read_ground_truth(path, std::nullopt));
     return adopt(read_vertex_list(path, std::numeric_limits<int>::max() - 1, Numbering::kFromOne));
   });
   module.def("read_ground_truth", [](const std::string& path, int num_vertices) {

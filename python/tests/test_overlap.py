@@ -86,6 +86,7 @@ def test_template_points_that_the_target_lacks(sheet, parts, tmp_path):
     np.savetxt(tmp_path / "a.vts", np.arange(441) + 1)
     np.savetxt(tmp_path / "b.vts", truth + 1)
     files = tmp_path / "a.vts", tmp_path / "b.vts"
+    assert np.array_equal(isomatch.read_vts(files[1]), truth)
     again = isomatch.evaluate(sheet, sheet, found, files)
     assert again["ground_truth"]["overlap"] == overlap
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -222,8 +223,9 @@ TEST_F(SheetOverlap, BadInputThrows) {
   points[0].face = sheet_.mesh().num_faces();
   EXPECT_THROW(errors(points, SurfaceMap(outside)), InvalidInput);
   EXPECT_THROW(errors(SurfaceMap(outside), points), InvalidInput);
-  EXPECT_THROW(overlap_errors(sheet_, sheet_, columns(0, 3), {{0, 0}}, {.max_samples = 0}),
-               InvalidInput);
+  EXPECT_THROW(
+      overlap_errors(sheet_, sheet_, columns(0, 3), Correspondence{{0, 0}}, {.max_samples = 0}),
+      InvalidInput);
   EXPECT_THROW(overlap_quality(sheet_, sheet_, GroundTruth{{0, 1}, {0}}, Correspondence{}),
                InvalidInput);
 }
