@@ -67,6 +67,7 @@ void print(const results::TrueMapEvaluation& truth) {
   fmt::print("against the map that is the truth, {} matches on the overlap\n",
              errors.over_sqrt_area.samples);
   print(truth.overlap, "the source's area");
+  if (errors.over_sqrt_area.samples == 0) return;
   const auto& points = truth.point_errors;
   print_errors("error / sqrt(area of target)", errors.over_sqrt_area);
   if (points) print_errors("the same of points on triangles", points->over_sqrt_area);

@@ -307,6 +307,9 @@ TEST_F(EvalPartial, MapWithoutAnyMatchIsMeasured) {
     EXPECT_EQ(result["overlap"]["iou"], 0) << form;
     EXPECT_EQ(result["error_over_sqrt_area"]["samples"], 0) << form;
   }
+  const std::string output = run(arguments({"--gt-map", path("map.txt")}, "none.txt")).output;
+  EXPECT_THAT(output, HasSubstr("0 matches on the overlap"));
+  EXPECT_EQ(output.find("error /"), std::string::npos);
   EXPECT_TRUE(against("none.txt", "none.txt")["overlap"].at("iou").is_null());
 }
 
