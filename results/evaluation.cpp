@@ -115,13 +115,13 @@ MeasuredMap measured_map(const Shape& target, const MatchContent& content) {
 
 Evaluation evaluate(const Shape& source, const Shape& target, const MeasuredMap& map,
                     const Truth& truth, const EvaluationOptions& options, const Context& context) {
-  const auto& [at_source, at_target, at_symmetric_target] = truth.vertices;
-  const auto against = [&](const std::vector<int>& places) {
-    return evaluate_truth(source, target, map, at_source, places, options.truth, context);
+  const TruthVertices& vertices = truth.vertices;
+  const auto against = [&](const std::vector<int>& at_target) {
+    return evaluate_truth(source, target, map, vertices.source, at_target, options.truth, context);
   };
   Evaluation result;
-  result.truth = against(at_target);
-  result.symmetric_truth = against(at_symmetric_target);
+  result.truth = against(vertices.target);
+  result.symmetric_truth = against(vertices.symmetric_target);
   if (truth.map)
     result.true_map = evaluate_true_map(source, target, map, *truth.map, options.truth, context);
   result.coverage = target_coverage(source, target, map.matches);

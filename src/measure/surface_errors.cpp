@@ -55,7 +55,7 @@ bool lies_in(const Mesh& mesh, const SurfacePoint& point, const Face& face) {
 }
 
 double distance(const Mesh& mesh, GeodesicSearch& search, const TwoPoints& pair) {
-  const auto& [truth, mapped] = pair;
+  const SurfacePoint &truth = pair.truth, &mapped = pair.mapped;
   if (lies_in(mesh, truth, mesh.faces[mapped.face]) ||
       lies_in(mesh, mapped, mesh.faces[truth.face]))
     return (position(mesh, truth) - position(mesh, mapped)).norm();
