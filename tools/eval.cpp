@@ -46,14 +46,42 @@ void print_errors(std::string_view name, const ErrorStatistics& error) {
              error.median, error.p95, error.maximum);
 }
 
+std::string figure(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4f}", *value) : "none";
+}
+
+void print(const OverlapQuality& overlap, std::string_view unit) {
+  fmt::print("  matched                         {:.1f} % of {}, truly {:.1f} %: IoU {}\n",
+             100 * overlap.matched(), unit, 100 * overlap.truly_matched(), figure(overlap.iou()));
+  fmt::print("  unmatched                       precision {}  recall {}\n",
+             figure(overlap.unmatched_precision()), figure(overlap.unmatched_recall()));
+}
+
+void print_d_grd(std::string_view name, const ErrorStatistics& errors) {
+  fmt::print("  {:<32}mean {:.4f}  maximum (d_grd-dagger) {:.4f}\n", name, errors.mean,
+             errors.maximum);
+}
+
+void print(const results::TrueMapEvaluation& truth) {
+  const OverlapErrors& errors = truth.match_errors;
+  fmt::print("against the map that is the truth, {} matches on the overlap\n",
+             errors.over_sqrt_area.samples);
+  print(truth.overlap, "the source's area");
+  if (errors.over_sqrt_area.samples == 0) return;
+  const auto& points = truth.point_errors;
+  print_errors("error / sqrt(area of target)", errors.over_sqrt_area);
+  if (points) print_errors("the same of points on triangles", points->over_sqrt_area);
+  print_d_grd("D_grd / maximum geodesic", errors.over_max_geodesic);
+  if (points) print_d_grd("the same of points on triangles", points->over_max_geodesic);
+}
+
 void print(std::string_view name, const results::TruthEvaluation& truth) {
-  const ErrorStatistics& grd = truth.match_errors;
   fmt::print("{}, {} of {} template points on both surfaces\n", name, truth.points,
              truth.points_in_files);
+  if (truth.overlap.both < 1) print(truth.overlap, "template points");
   print_errors("error / sqrt(area of target)", truth.template_errors);
   if (truth.point_errors) print_errors("the same of points on triangles", *truth.point_errors);
-  fmt::print("  D_grd / maximum geodesic        mean {:.4f}  maximum (d_grd-dagger) {:.4f}\n",
-             grd.mean, grd.maximum);
+  print_d_grd("D_grd / maximum geodesic", truth.match_errors);
 }
 
 void print(const results::Evaluation& evaluation) {
@@ -66,9 +94,11 @@ void print(const results::Evaluation& evaluation) {
   fmt::print("  orientation                     {}: preserved around {:.0f} % of {} landmarks\n",
              to_string(orientation.verdict), 100 * orientation.preserved_share, orientation.votes);
   if (evaluation.truth) print("against the ground truth", *evaluation.truth);
-  if (!evaluation.symmetric_truth) return;
-  print("against the symmetric ground truth", *evaluation.symmetric_truth);
-  fmt::print("  symmetric flip                  {}\n", evaluation.flipped() ? "yes" : "no");
+  if (evaluation.symmetric_truth) {
+    print("against the symmetric ground truth", *evaluation.symmetric_truth);
+    fmt::print("  symmetric flip                  {}\n", evaluation.flipped() ? "yes" : "no");
+  }
+  if (evaluation.true_map) print(*evaluation.true_map);
 }
 
 void run_eval(const EvalArguments& arguments, const Context& context) {
@@ -108,6 +138,12 @@ void add_files(CLI::App& command, EvalArguments& arguments) {
                   "Ground truth on the target under the left-right symmetry")
       ->type_name("FILE")
       ->needs(target_truth);
+  command
+      .add_option("--gt-map", arguments.truth.map,
+                  "Ground truth as a map of every source vertex, in the formats of MAP but pairs, "
+                  "numbered from zero, -1 where the target has no counterpart; tells also how well "
+                  "MAP leaves those out")
+      ->type_name("FILE");
 }
 
 }  // namespace

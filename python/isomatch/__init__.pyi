@@ -13,6 +13,7 @@ from ._types import (
     Method,
     PathLike,
     Progress,
+    TrueMapLike,
     TruthLike,
 )
 
@@ -188,6 +189,7 @@ class Match(Map):
         self,
         gt: TruthLike = None,
         *,
+        gt_map: TrueMapLike = None,
         per_vertex: bool = False,
         threads: Optional[int] = None,
         progress: Progress = None,
@@ -232,6 +234,7 @@ def evaluate(
     correspondence: MapLike,
     gt: TruthLike = None,
     *,
+    gt_map: TrueMapLike = None,
     per_vertex: bool = False,
     threads: Optional[int] = None,
     progress: Progress = None,

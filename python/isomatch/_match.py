@@ -18,7 +18,7 @@ from ._meshes import Shape, write_mesh
 from ._options import takes_options
 from ._stages import Distortion, evaluate, isometric_distortion
 from ._transfer import Transfer
-from ._types import Method, PathLike, Progress, TruthLike
+from ._types import Method, PathLike, Progress, TrueMapLike, TruthLike
 
 
 class Hypothesis(NamedTuple):
@@ -248,19 +248,21 @@ class Match(Map):
         self,
         gt: TruthLike = None,
         *,
+        gt_map: TrueMapLike = None,
         per_vertex: bool = False,
         threads: Optional[int] = None,
         progress: Progress = None,
         **options,
     ) -> Dict[str, Any]:
-        """How good the map is, against the ground truth `gt` if it is given, and with `per_vertex`
-        the error of each source vertex; see `evaluate`."""
+        """How good the map is, against the ground truths `gt` and `gt_map` if they are given, and
+        with `per_vertex` the error of each source vertex; see `evaluate`."""
         points = (self.triangles, self.barycentric)
         return evaluate(
             self.source,
             self.target,
             points if self.method == "tracked" else self.source_to_target,
             gt,
+            gt_map=gt_map,
             per_vertex=per_vertex,
             threads=threads,
             progress=progress,

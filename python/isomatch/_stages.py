@@ -12,11 +12,11 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from . import _core
-from ._maps import as_map, as_matches
+from ._maps import as_map, as_matches, point_arrays
 from ._meshes import as_arrays, as_shape
 from ._options import check_options, select, takes_options
 from ._progress import shows_progress
-from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress, TruthLike
+from ._types import ArrayLike, MapLike, MeshLike, PathLike, Progress, TrueMapLike, TruthLike
 
 
 @takes_options("geodesics")
@@ -228,7 +228,8 @@ def map_orientation(
 
 
 def read_vts(path: PathLike) -> np.ndarray:
-    """Reads a .vts file, which numbers vertices from 1: an array of vertex indices from 0."""
+    """Reads a .vts file, which numbers vertices from 1: an array of vertex indices from 0, -1 where
+    it says 0, no vertex."""
     return np.array(_core.read_vts(os.fsencode(path)), dtype=np.int64)
 
 
@@ -261,6 +262,16 @@ def as_truth(gt, source, target):
     if matches.ndim != 2 or matches.shape[1] != 2:
         raise ValueError("gt: expected a map (N) or two lists of corresponding vertices")
     return matches[:, 0], matches[:, 1], nothing
+
+
+def as_true_map(gt_map, source, target):
+    """A truth for every source vertex as the core takes it: nothing, vertices, or faces and
+    weights."""
+    if gt_map is None:
+        return ()
+    if isinstance(gt_map, (str, os.PathLike)):
+        return _core.read_true_map(os.fsencode(gt_map), source._core, target._core)
+    return point_arrays(gt_map)
 
 
 class ErrorCurve(NamedTuple):
@@ -298,6 +309,7 @@ def evaluate(
     correspondence: MapLike,
     gt: TruthLike = None,
     *,
+    gt_map: TrueMapLike = None,
     per_vertex: bool = False,
     threads: Optional[int] = None,
     progress: Progress = None,
@@ -318,7 +330,11 @@ def evaluate(
     gt
         Ground truth: a map (N) or pairs (K, 2) as above; or a tuple or list of two lists of
         corresponding vertices, arrays or files as in docs/formats.md such as .vts, of the source
-        and of the target, and maybe a third one of the target under its left-right symmetry.
+        and of the target, and maybe a third one of the target under its left-right symmetry, -1 (0
+        in a .vts file) where a mesh lacks a point.
+    gt_map
+        Ground truth of every source vertex, for shapes that are partial: a map (N), -1 where the
+        target has no counterpart; points on triangles as above; or a file of either.
     per_vertex
         Also give the error of each source vertex and the curve of these errors. All are computed,
         whatever `max_samples` says.
@@ -327,10 +343,14 @@ def evaluate(
     -------
     dict
         `matches`; `d_iso_over_max_geodesic`; `target_hit`: shares of vertices and area;
-        `orientation`; with a truth `ground_truth`: errors over sqrt(area) of the target. With
-        `per_vertex` `ground_truth` has also `per_vertex`, an array (N) of errors over sqrt(area),
-        NaN where a vertex has no truth or no match, the mean where it has several; and `curve`, an
-        `ErrorCurve` of these. The same goes for `symmetric_ground_truth`, if there is a third list.
+        `orientation`; with a truth `ground_truth`: errors over sqrt(area) of the target, and
+        `overlap`, by template points; with `gt_map` `ground_truth_map`: errors on the overlap, and
+        `overlap`, by area of the source: `iou` of the parts that the map and the truth match,
+        `unmatched_precision` and `unmatched_recall`, each None where its denominator is 0,
+        `matched_share` and `truly_matched_share`. With `per_vertex` `ground_truth` has also
+        `per_vertex`, an array (N) of errors over sqrt(area), NaN where a vertex has no truth or no
+        match, the mean where it has several; and `curve`, an `ErrorCurve` of these. The same goes
+        for `ground_truth_map`, and for `symmetric_ground_truth`, if there is a third list.
     """
     check_options(options, "truth", "distortion", function="evaluate")
     source, target = as_shape(source, threads=threads), as_shape(target, threads=threads)
@@ -339,13 +359,15 @@ def evaluate(
         target._core,
         as_map(correspondence),
         as_truth(gt, source, target),
+        as_true_map(gt_map, source, target),
         per_vertex,
         select(options, "truth"),
         select(options, "distortion"),
         _core.RunOptions(threads, progress),
     )
     figures = json.loads(text)
-    for name, of_vertices in zip(("ground_truth", "symmetric_ground_truth"), errors):
+    names = "ground_truth", "symmetric_ground_truth", "ground_truth_map"
+    for name, of_vertices in zip(names, errors):
         if of_vertices is not None:
             figures[name].update(per_vertex=of_vertices, curve=error_curve(of_vertices))
     return figures

@@ -21,6 +21,8 @@ Progress = Union[None, bool, Callable[[float, str], Any]]
 #: A map (N), pairs (K, 2), faces (N) and barycentric weights (N, 3), or an object that has both as
 #: `triangles` and `barycentric`.
 MapLike = Union[ArrayLike, Tuple[ArrayLike, ArrayLike], Any]
+#: None, a map (N), faces (N) and weights (N, 3), an object that has both, or a file.
+TrueMapLike = Union[None, PathLike, ArrayLike, Tuple[ArrayLike, ArrayLike], Any]
 #: None, a map (N), or corresponding vertices: two or three arrays or .vts files.
 TruthLike = Union[
     None, ArrayLike, Tuple[Union[ArrayLike, PathLike], ...], List[Union[ArrayLike, PathLike]]

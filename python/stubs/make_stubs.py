@@ -29,6 +29,7 @@ from ._types import (
     Method,
     PathLike,
     Progress,
+    TrueMapLike,
     TruthLike,
 )
 

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "isomatch/io/map_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -90,8 +88,6 @@ std::vector<int> read_ground_truth(const std::string& path, std::optional<int> n
   std::vector<int> vertices =
       read_map(path, {std::nullopt, num_vertices, std::nullopt}).source_to_target;
   if (vertices.empty()) throw BadFile(path, "points on triangles are no template's vertices");
-  if (const auto none = std::ranges::find(vertices, kUnmatched); none != vertices.end())
-    throw BadFile(path, fmt::format("template point {} has no vertex", none - vertices.begin()));
   return vertices;
 }
 
@@ -111,7 +107,8 @@ void write_map(const std::string& path, const MapContent& map, Numbering numberi
     write_vertex_map(path, vertices, first);
   } else {
     if (std::ranges::find(vertices, kUnmatched) != vertices.end())
-      throw InvalidInput(".vts files have no word for unmatched vertices, which this map has");
+      throw InvalidInput(
+          "a map with unmatched vertices is not written as .vts: few programs know its 0");
     write_vertex_map(path, vertices, 1);
   }
 }

@@ -106,11 +106,9 @@ VertexMap read_vertex_map(const std::string& path, const MapChecks& checks,
   check_map_length(file, lines.size(), checks);
   used = numbering ? MapReadReport{*numbering, false} : detected(lines, checks);
   const VertexRange targets{"target", checks.target_vertices, static_cast<int>(used.numbering)};
-  const bool may_be_unmatched = !is_vts_file_name(path);
   VertexMap map;
   map.reserve(lines.size());
-  for (const FileNumber& line : lines)
-    map.push_back(checked_vertex(line, targets, may_be_unmatched));
+  for (const FileNumber& line : lines) map.push_back(checked_vertex(line, targets, true));
   return map;
 }
 

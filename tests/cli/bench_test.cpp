@@ -131,7 +131,7 @@ TEST_F(Bench, BadFilesAreNamed) {
   const Outcome mesh = run({path("bad.off"), path("target.off")}, {.program = bench_program()});
   EXPECT_EQ(mesh.exit_code, 2);
   EXPECT_THAT(mesh.errors, StartsWith("isomatch-bench: " + path("bad.off") + ": "));
-  folder_.write("target.vts", "0\n");
+  folder_.write("target.vts", "-1\n");
   const Outcome truth = run_bench(with_truth("spectral"));
   EXPECT_EQ(truth.exit_code, 2);
   EXPECT_THAT(truth.errors, StartsWith("isomatch-bench: " + path("target.vts") + ": line 1: "));

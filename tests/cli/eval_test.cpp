@@ -4,12 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
+#include "isomatch/maps/surface_map.h"
 #include "program.h"
 #include "support/shapes.h"
 #include "support/temporary_folder.h"
@@ -158,6 +161,172 @@ TEST_F(Eval, PointsOnTrianglesHaveAnErrorOfTheirOwn) {
               sum / mesh_.num_vertices() / std::sqrt(surface_area(mesh_)), 1e-5);
   EXPECT_FALSE(json(truth())["ground_truth"].contains("point_error_over_sqrt_area"));
   EXPECT_THAT(run(arguments(truth(), "map.bary.txt")).output, HasSubstr("points on triangles"));
+}
+
+/// The map and the truth leave different parts of the sphere out.
+class EvalPartial : public Eval {
+ protected:
+  /// The identity without the vertices from `first` to before `last`.
+  VertexMap without(int first, int last) const {
+    VertexMap map = numbers_;
+    std::fill(map.begin() + first, map.begin() + last, kUnmatched);
+    return map;
+  }
+
+  /// In all forms.
+  void write(const std::string& stem, const VertexMap& map) const {
+    const SurfaceMap points = corner_points(target_, map);
+    write_map(path(stem + ".txt"), {.source_to_target = map});
+    write_map(path(stem + ".map"), {.source_to_target = map});
+    write_map(path(stem + ".bary.txt"), {.points = points});
+    write_map(path(stem + ".npz"), {map, points});
+    write_map(path(stem + ".vertices.npz"), {.source_to_target = map});
+    write_map(path(stem + ".points.npz"), {.points = points});
+    folder_.write(stem + ".vts", vts(map));
+  }
+
+  static std::string vts(const VertexMap& map) {
+    std::string lines;
+    for (const int v : map) lines += fmt::format("{}\n", v + 1);
+    return lines;
+  }
+
+  double area(int first, int last) const {
+    double sum = 0;
+    for (const Face& face : mesh_.faces) {
+      const Point& a = mesh_.vertices[face[0]];
+      for (const int v : face)
+        if (v >= first && v < last)
+          sum += (mesh_.vertices[face[1]] - a).cross(mesh_.vertices[face[2]] - a).norm() / 6;
+    }
+    return sum / surface_area(mesh_);
+  }
+
+  nlohmann::json against(const std::string& truth, const std::string& map) const {
+    return json({"--gt-map", path(truth)}, map)["ground_truth_map"];
+  }
+
+  void expect_refused(const std::string& name, const std::string& content,
+                      const std::string& reason) const {
+    folder_.write(name, content);
+    const Outcome outcome = run(arguments({"--gt-map", path(name)}));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.errors, StartsWith("isomatch: " + path(name) + ": "));
+    EXPECT_THAT(outcome.errors, HasSubstr(reason));
+    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+  }
+
+  const Mesh target_ = mirrored(mesh_);
+  const std::vector<std::string> forms_{".txt",          ".map",        ".bary.txt", ".npz",
+                                        ".vertices.npz", ".points.npz", ".vts"};
+};
+
+TEST_F(EvalPartial, EveryFormOfMapAndTruthGivesTheSameFigures) {
+  write("part", without(0, 60));
+  write("truth", without(40, 100));
+  const double both = area(100, 162), either = area(0, 40) + area(60, 100) + both;
+  for (const std::string& map : forms_) {
+    for (const std::string& truth : {std::string(".npz"), map}) {
+      const nlohmann::json result = against("truth" + truth, "part" + map);
+      const nlohmann::json& overlap = result["overlap"];
+      EXPECT_NEAR(overlap["iou"], both / either, 1e-6) << map << truth;
+      EXPECT_NEAR(overlap["unmatched_precision"], area(40, 60) / area(0, 60), 1e-6);
+      EXPECT_NEAR(overlap["unmatched_recall"], area(40, 60) / area(40, 100), 1e-6);
+      EXPECT_NEAR(overlap["matched_share"], area(60, 162), 1e-6);
+      EXPECT_NEAR(overlap["truly_matched_share"], 1 - area(40, 100), 1e-6);
+      EXPECT_EQ(result["error_over_sqrt_area"]["samples"], 62);
+      EXPECT_EQ(result["error_over_sqrt_area"]["maximum"], 0);
+      EXPECT_EQ(result["d_grd_over_max_geodesic"]["maximum"], 0);
+    }
+  }
+  for (const std::string& truth : forms_)
+    EXPECT_NEAR(against("truth" + truth, "part.txt")["overlap"]["iou"], both / either, 1e-6);
+}
+
+TEST_F(EvalPartial, TruthOnTrianglesIsExact) {
+  SurfaceMap points = corner_points(target_, without(40, 100));
+  for (SurfacePoint& point : points)
+    if (point.face >= 0) point.weights = {0.5, 0.25, 0.25};
+  write_map(path("truth.bary.txt"), {.points = points});
+  const nlohmann::json result = against("truth.bary.txt", "truth.bary.txt");
+  EXPECT_EQ(result["point_error_over_sqrt_area"]["maximum"], 0);
+  EXPECT_EQ(result["point_d_grd_over_max_geodesic"]["maximum"], 0);
+  EXPECT_GT(result["error_over_sqrt_area"]["mean"], 0);
+  double sum = 0;
+  for (const SurfacePoint& point : points)
+    if (point.face >= 0)
+      sum += (position(target_, point) - target_.vertices[target_.faces[point.face][0]]).norm();
+  EXPECT_NEAR(result["error_over_sqrt_area"]["mean"], sum / 102 / std::sqrt(surface_area(mesh_)),
+              1e-5);
+}
+
+TEST_F(EvalPartial, TextNamesWhatIsCounted) {
+  write("part", without(0, 60));
+  write("truth", without(40, 100));
+  const std::string output = run(arguments({"--gt-map", path("truth.txt")}, "part.txt")).output;
+  EXPECT_THAT(output, HasSubstr("62 matches on the overlap"));
+  EXPECT_THAT(output, HasSubstr("% of the source's area, truly "));
+  EXPECT_THAT(output, HasSubstr("IoU 0."));
+  EXPECT_THAT(output, HasSubstr("precision 0."));
+  EXPECT_THAT(
+      run(arguments({"--gt-map", path("map.txt")})).output,
+      HasSubstr("IoU 1.0000\n  unmatched                       precision none  recall none"));
+}
+
+TEST_F(EvalPartial, WhatHasNoDenominatorIsNull) {
+  const nlohmann::json overlap = against("map.txt", "map.txt")["overlap"];
+  EXPECT_EQ(overlap["iou"], 1);
+  EXPECT_TRUE(overlap.at("unmatched_precision").is_null());
+  EXPECT_TRUE(overlap.at("unmatched_recall").is_null());
+}
+
+TEST_F(EvalPartial, ZeroInAVtsIsAPointThatTheMeshLacks) {
+  write("part", without(0, 60));
+  folder_.write("target.vts", vts(without(40, 100)));
+  folder_.write("source.vts", vts(without(150, 162)));
+  const nlohmann::json result = json(truth(), "part.txt")["ground_truth"];
+  EXPECT_EQ(result["template_points"], 162);
+  EXPECT_EQ(result["template_points_on_surfaces"], 90);
+  EXPECT_NEAR(result["overlap"]["iou"], 50.0 / 130, 1e-12);
+  EXPECT_NEAR(result["overlap"]["unmatched_precision"], 20.0 / 60, 1e-12);
+  EXPECT_NEAR(result["overlap"]["unmatched_recall"], 20.0 / 60, 1e-12);
+  EXPECT_EQ(result["error_over_sqrt_area"]["samples"], 50);
+  EXPECT_EQ(result["error_over_sqrt_area"]["maximum"], 0);
+  EXPECT_THAT(run(arguments(truth(), "part.txt")).output, HasSubstr("% of template points, truly"));
+  EXPECT_EQ(run(arguments(truth(), "map.txt")).output.find("recall none"), std::string::npos);
+}
+
+TEST_F(EvalPartial, WholeTruthAndMapSayNothingOfTheOverlap) {
+  EXPECT_EQ(run(arguments(truth())).output.find("IoU"), std::string::npos);
+}
+
+TEST_F(EvalPartial, MapWithoutAnyMatchIsMeasured) {
+  write("none", without(0, 162));
+  for (const std::string& form : forms_) {
+    const nlohmann::json result = against("map.txt", "none" + form);
+    EXPECT_EQ(result["overlap"]["iou"], 0) << form;
+    EXPECT_EQ(result["error_over_sqrt_area"]["samples"], 0) << form;
+  }
+  const std::string output = run(arguments({"--gt-map", path("map.txt")}, "none.txt")).output;
+  EXPECT_THAT(output, HasSubstr("0 matches on the overlap"));
+  EXPECT_EQ(output.find("error /"), std::string::npos);
+  EXPECT_TRUE(against("none.txt", "none.txt")["overlap"].at("iou").is_null());
+}
+
+TEST_F(EvalPartial, BadTruthIsOneLine) {
+  expect_refused("short.txt", "0\n1\n", "is for 2 vertices, but the source has 162");
+  expect_refused("short.bary.txt", "0 1 0 0\n", "1 lines, but the source has 162 vertices");
+  std::string lines;
+  for (int v = 1; v <= 162; ++v) lines += fmt::format("{}\n", v);
+  expect_refused(
+      "from_one.txt", lines,
+      "line 162: vertex 162 is out of range: the target has 162 vertices, numbered from 0");
+  expect_refused("low.txt", "-2\n" + vts(without(0, 161)).substr(2), "line 1: vertex -2 is out of");
+  expect_refused("face.bary.txt", "320 1 0 0\n", "line 1: face 320 is out of range");
+  expect_refused("word.txt", "x\n", "line 1: ");
+  expect_refused("pairs.txt", "0 0\n", "one vertex a line expected");
+  expect_refused("truth.off", "", "the ending is not that of a map");
+  EXPECT_EQ(run(arguments({"--gt-map", path("absent.txt")})).exit_code, 2);
 }
 
 TEST_F(Eval, BadPointIsNamedWithLine) {

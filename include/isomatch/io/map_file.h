@@ -13,7 +13,7 @@
 /// Files of maps in the formats that others use, told apart by the ending:
 /// - .txt, .map: the target vertex of each source vertex, one a line, or "unmatched", which is one
 ///   less than the first vertex;
-/// - .vts: the same, always numbered from one, and without "unmatched";
+/// - .vts: the same, always numbered from one; 0, "unmatched", is read but not written;
 /// - .bary.txt: for each source vertex a line with a target face and the barycentric weights of its
 ///   corners, or -1 0 0 0 where there is no point. Weights must be in [0, 1] and sum to 1, both
 ///   within 1e-6, and are returned as they are;
@@ -73,15 +73,15 @@ MatchContent read_matches(const std::string& path, const MapChecks& checks = {},
                           std::optional<Numbering> numbering = std::nullopt,
                           MapReadReport* report = nullptr);
 
-/// Reads a ground truth: the vertex that stands for each template point, in any of the formats
-/// that hold a vertex a point, with their numbering; commonly a .vts file. Throws `BadFile` as
-/// `read_map`, and for a point without a vertex.
+/// Reads a ground truth: the vertex that stands for each template point, `kUnmatched` where the
+/// mesh lacks the point, in any of the formats that hold a vertex a point, with their numbering;
+/// commonly a .vts file, where 0 says so. Throws `BadFile` as `read_map`.
 std::vector<int> read_ground_truth(const std::string& path, std::optional<int> num_vertices);
 
 /// Writes the form of the map that the ending asks for, .npz both. `numbering` is that of .txt,
 /// .map and .bary.txt files. The file appears whole or not at all, and survives a round trip
 /// exactly. Throws `InvalidInput` if the form is not known, or if a .vts file is to hold what is
-/// unmatched, for which it has no word; `BadFile` if the file cannot be written.
+/// unmatched, whose 0 few programs know; `BadFile` if the file cannot be written.
 void write_map(const std::string& path, const MapContent& map,
                Numbering numbering = Numbering::kFromZero);
 

@@ -18,7 +18,8 @@
 namespace isomatch {
 
 /// Template points whose places on both shapes are known: point i lies at vertex `source[i]` and at
-/// vertex `target[i]`. A vertex may stand for several points.
+/// vertex `target[i]`. A vertex may stand for several points. `kUnmatched` where a shape lacks the
+/// point; errors leave it out, `overlap_quality` asks whether a map leaves it out.
 struct GroundTruth {
   std::vector<int> source;
   std::vector<int> target;

@@ -89,6 +89,7 @@ TEST_F(MapFile, NumberingIsDetectedOnlyWhereItMustBe) {
   EXPECT_FALSE(report_.is_assumed);
   EXPECT_THAT(error("a.txt", "-1\n3\n", three), HasSubstr("line 2: vertex 3 is out of range"));
   EXPECT_EQ(vertices("a.vts", "1\n2\n", three), (VertexMap{0, 1}));
+  EXPECT_EQ(vertices("a.vts", "1\n0\n", three), (VertexMap{0, kUnmatched}));
   EXPECT_EQ(report_.numbering, Numbering::kFromOne);
 }
 
@@ -125,11 +126,13 @@ TEST_F(MapFile, PairsAreReadByTheSameRules) {
   EXPECT_THROW(pairs("1 2\n2\n"), BadFile);
 }
 
-TEST_F(MapFile, GroundTruthNeedsAVertexForEveryPoint) {
+TEST_F(MapFile, GroundTruthHasAVertexForEveryPointOrNone) {
   EXPECT_EQ(read_ground_truth(folder_.write("a.vts", "1\n3\n1\n"), 3), (std::vector{0, 2, 0}));
   EXPECT_EQ(read_ground_truth(folder_.write("a.txt", "0\n2\n"), 3), (std::vector{0, 2}));
   EXPECT_THROW(read_ground_truth(folder_.write("a.vts", "4\n"), 3), BadFile);
-  EXPECT_THROW(read_ground_truth(folder_.write("a.txt", "0\n-1\n"), 3), BadFile);
+  EXPECT_EQ(read_ground_truth(folder_.write("a.vts", "1\n0\n"), 3), (std::vector{0, -1}));
+  EXPECT_EQ(read_ground_truth(folder_.write("a.txt", "0\n-1\n"), 3), (std::vector{0, -1}));
+  EXPECT_THROW(read_ground_truth(folder_.write("a.vts", "-1\n"), 3), BadFile);
   EXPECT_THROW(read_ground_truth(folder_.write("a.bary.txt", "0 1 0 0\n"), 3), BadFile);
 }
 
@@ -140,7 +143,7 @@ TEST_F(MapFile, BadTextIsRefused) {
   EXPECT_THAT(error("a.txt", ""), HasSubstr("empty"));
   EXPECT_THAT(error("a.txt", "-2\n"), HasSubstr("line 1"));
   EXPECT_THAT(error("a.txt", "99999999999\n"), HasSubstr("line 1"));
-  EXPECT_THAT(error("a.vts", "0\n"), HasSubstr("line 1"));
+  EXPECT_THAT(error("a.vts", "-1\n"), HasSubstr("line 1"));
   EXPECT_THAT(error("a.txt", "0\n1\n", kChecks), HasSubstr("the source has 300"));
   EXPECT_THAT(error("a.bary.txt", "90 1 0 0\n", {1, 50, 90}), HasSubstr("face 90"));
   EXPECT_THAT(error("a.off", "0\n"), HasSubstr(".npz"));

@@ -173,7 +173,7 @@ TEST_F(SheetPoints, BadInputThrows) {
   expect_rejected({{0}, {0}}, all_at(-2));
   expect_rejected({{0}, {0}}, {{0, {1, 0, 0}}});
   expect_rejected({{vertices}, {0}}, all_at(0));
-  expect_rejected({{-1}, {0}}, all_at(0));
+  expect_rejected({{-2}, {0}}, all_at(0));
   expect_rejected({{0}, {vertices}}, all_at(0));
   expect_rejected({{0, 0}, {0}}, all_at(0));
   expect_rejected({{0}, {0}}, all_at(0), {.max_samples = 0});

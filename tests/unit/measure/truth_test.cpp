@@ -100,6 +100,14 @@ TEST_F(SheetErrors, TemplatePointsWithoutMatchAreLeftOut) {
   EXPECT_NEAR(errors.mean, 2 * kCell / sqrt_area_, kRounding);
 }
 
+TEST_F(SheetErrors, TemplatePointsThatAShapeLacksAreLeftOut) {
+  const GroundTruth points{{0, kUnmatched, 2, 3}, {0, 1, kUnmatched, 3}};
+  const Correspondence matches = {{0, 1}, {1, 1}, {2, 2}, {3, 3}};
+  EXPECT_EQ(template_errors(sheet_, sheet_, points, matches).samples, 2);
+  EXPECT_EQ(match_errors(sheet_, sheet_, points, matches).samples, 2);
+  EXPECT_THAT(on_surfaces(sheet_, sheet_, points).source, ElementsAre(0, 3));
+}
+
 TEST_F(SheetErrors, MatchIsMeasuredAgainstFirstOfItsTemplatePoints) {
   const GroundTruth points{{7, 0, 0}, {7, 2, 10}};
   const Correspondence matches = {{0, 0}, {1, 1}, {7, 7}};
@@ -137,7 +145,7 @@ TEST_F(SheetErrors, BadInputThrows) {
                InvalidInput);
   EXPECT_THROW(on_surfaces(sheet_, sheet_, {{0, 1}, {0}}), InvalidInput);
   EXPECT_THROW(on_surfaces(sheet_, sheet_, {{0}, {outside}}), InvalidInput);
-  EXPECT_THROW(on_surfaces(sheet_, sheet_, {{-1}, {0}}), InvalidInput);
+  EXPECT_THROW(on_surfaces(sheet_, sheet_, {{-2}, {0}}), InvalidInput);
 }
 
 TEST_F(SheetErrors, StopIsHeeded) {
