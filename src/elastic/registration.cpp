@@ -33,8 +33,7 @@ class Registrar {
       const double progress = static_cast<double>(step) / std::max(1, steps - 1);
       const double length =
           options_.first_length * std::pow(options_.last_length / options_.first_length, progress);
-      for (int k = 0; k < options_.iterations; ++k)
-        advance(step >= options_.anchor_steps, length);
+      for (int k = 0; k < options_.iterations; ++k) advance(step >= options_.anchor_steps, length);
     }
   }
 
@@ -91,9 +90,7 @@ class Registrar {
            (options_.reach == 0 || (!feet_[i].on_rim && distance(i) <= reach));
   }
 
-  double distance(int i) const {
-    return (deformation_.positions()[i] - feet_[i].position).norm();
-  }
+  double distance(int i) const { return (deformation_.positions()[i] - feet_[i].position).norm(); }
 
   /// What has no counterpart is held so little that it follows what is around it.
   void release_outside() {

@@ -9,8 +9,9 @@
 
 namespace isomatch {
 
-/// The part of a mesh that is matched, scaled to unit area, or as `scaled` says, and centred. Its vertices and faces have
-/// numbers of their own, which public functions never take or give: see shape/numbers.h.
+/// The part of a mesh that is matched, scaled to unit area, or as `scaled` says, and centred. Its
+/// vertices and faces have numbers of their own, which public functions never take or give: see
+/// shape/numbers.h.
 struct Surface {
   /// Faces are turned outwards if `oriented`.
   Mesh mesh;

@@ -140,8 +140,8 @@ Candidates all_judged(const Pyramids& pyramids, const Options& options, const Co
 }
 
 /// In the caller's numbers and coordinates.
-TrackedMap tracked_map(const Shape& source, const Shape& target, const Track& track,
-                       DenseMap dense, double unit) {
+TrackedMap tracked_map(const Shape& source, const Shape& target, const Track& track, DenseMap dense,
+                       double unit) {
   const Surface& from = *source.prepared().surface();
   const Surface& onto = *target.prepared().surface();
   // A mirror image has its faces turned the other way.

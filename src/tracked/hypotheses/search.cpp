@@ -206,8 +206,8 @@ std::vector<LandmarkMap> twins_of(const std::vector<LandmarkMap>& maps,
   for (const std::vector<int>& symmetry : symmetries) {
     for (std::size_t k = 0; k < twinned; ++k) {
       Correspondence twin = first_matches(maps[k]);
-      std::erase_if(
-          twin, [&](const Match& m) { return m.source >= options.coarse.source_landmarks; });
+      std::erase_if(twin,
+                    [&](const Match& m) { return m.source >= options.coarse.source_landmarks; });
       for (Match& match : twin)
         if (match.source >= options.growth.fixed) match.target = symmetry[match.target];
       starts.push_back(std::move(twin));

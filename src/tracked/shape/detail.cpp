@@ -39,8 +39,8 @@ Detail make_detail(const PreparedShape& shape, const Surface& surface,
   for (const auto& relief : relief(mesh, unit_normals(mesh), options.relief_scales))
     features.push_back({relief, {}});
   IndexLists faces = vertex_faces(mesh);
-  const bool is_whole = mesh.num_vertices() == surface.num_vertices() &&
-                        surface.scale == shape.surface()->scale;
+  const bool is_whole =
+      mesh.num_vertices() == surface.num_vertices() && surface.scale == shape.surface()->scale;
   // A mirror image has the distances of what it mirrors.
   auto graph = is_whole ? shape.graph({}, context)
                         : std::make_shared<const GeodesicGraph>(mesh, GeodesicOptions{}, context);

@@ -60,7 +60,8 @@ Pyramid make_pyramid(const PreparedShape& shape, const View& view, const Pyramid
   if (view.open) pyramid.rim = boundary_vertices(pyramid.surface->mesh);
   const Surface& surface = *pyramid.surface;
   pyramid.detail = stepped(make_detail(shape, surface, options, context));
-  pyramid.proxy = stepped(make_proxy(pyramid.detail, surface.oriented, view.open, options.proxy, context));
+  pyramid.proxy =
+      stepped(make_proxy(pyramid.detail, surface.oriented, view.open, options.proxy, context));
   set_places(pyramid.detail, place_vertices(pyramid.proxy), context);
   pyramid.anchors = stepped(anchors(surface, pyramid.detail, context));
   pyramid.basis = stepped(spectral::eigenbasis(pyramid.proxy.mesh, options.functions, context));

@@ -74,8 +74,7 @@ class Blend {
 }  // namespace
 
 DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformation& deformation,
-                                 const elastic::PointCloud& nodes,
-                                 const Context& context) {
+                                 const elastic::PointCloud& nodes, const Context& context) {
   const std::vector<int> nearest = nearest_nodes(pyramid, deformation.size());
   const Blend blend(deformation, nodes);
   DeformedSurface result{pyramid.surface->mesh.vertices, pyramid.surface->normals,

@@ -22,8 +22,7 @@ struct DeformedSurface {
 /// Carries a deformation of the first nodes of a pyramid, and the places where they went, over to
 /// all vertices of its surface; features are those of the detail. O(N log N).
 DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformation& deformation,
-                                 const elastic::PointCloud& nodes,
-                                 const Context& context);
+                                 const elastic::PointCloud& nodes, const Context& context);
 
 /// The same for all vertices of a proxy.
 DeformedSurface deformed_surface(const Proxy& proxy, const elastic::Deformation& deformation,

@@ -39,8 +39,8 @@ std::vector<int> closest_details(const Side& from, const Side& onto,
   return closest;
 }
 
-/// Whether a vertex has a counterpart at a point that is closest to it: what is around both has one,
-/// and it is not the rim that is closest to what lies beyond.
+/// Whether a vertex has a counterpart at a point that is closest to it: what is around both has
+/// one, and it is not the rim that is closest to what lies beyond.
 bool has_counterpart(const Side& from, const Side& onto, const Mesh& mesh, int vertex,
                      const SurfacePoint& point, const Options& options) {
   const double least = options.partial.least_inside;
@@ -50,8 +50,7 @@ bool has_counterpart(const Side& from, const Side& onto, const Mesh& mesh, int v
   for (int k = 0; k < 3; ++k) {
     const int v = mesh.faces[point.face][k];
     inside += point.weights[k] * onto.deformed.inside[v];
-    on_rim = on_rim && (point.weights[k] == 0 ||
-                        std::ranges::binary_search(onto.pyramid.rim, v));
+    on_rim = on_rim && (point.weights[k] == 0 || std::ranges::binary_search(onto.pyramid.rim, v));
   }
   const double distance = (position(mesh, point) - from.deformed.positions[vertex]).norm();
   return inside >= least && distance <= (on_rim ? options.partial.beyond : options.partial.reach);
@@ -95,8 +94,7 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
                    const Context& context) {
   const Pyramid& source = *track.judged.source;
   const Surface& goal = *target.surface;
-  DeformedSurface deformed =
-      deformed_surface(source, track.deformation, track.cloud, context);
+  DeformedSurface deformed = deformed_surface(source, track.deformation, track.cloud, context);
   bend_to_landmarks(source, target, options.landmarks, options.landmark_reach, deformed);
   const DeformedSurface rest{goal.mesh.vertices, goal.normals, target.detail.features,
                              std::vector<double>(goal.mesh.vertices.size(), 1.0)};

@@ -126,11 +126,11 @@ void Refinement::settle(Track& track, std::span<const Point> anchors) const {
 
 /// The hypothesis after a first registration.
 Track Refinement::registered(const Judged& judged, const Level& source, const Level& target) const {
-  Track track = enter(judged, source, target,
-                      node_vertices(target_.proxy, densify(judged.source->proxy, target_.proxy,
-                                                           judged.hypothesis, source.size())),
-                      covered_nodes(judged.hypothesis, *judged.source, target_, source.size(),
-                                    options_));
+  Track track = enter(
+      judged, source, target,
+      node_vertices(target_.proxy,
+                    densify(judged.source->proxy, target_.proxy, judged.hypothesis, source.size())),
+      covered_nodes(judged.hypothesis, *judged.source, target_, source.size(), options_));
   advance(track, early_surface_, options_.first_registration);
   return track;
 }
@@ -170,8 +170,8 @@ std::vector<int> Refinement::overlap_step(Track& track, const Level& wanted, int
   std::vector<int> vertices(wanted.size(), kNoVertex);
   const Overlap& overlap = *track.overlap;
   if (!overlap.source.empty() && !overlap.target.empty()) {
-    const int size = std::max(
-        options_.first_basis, static_cast<int>(std::lround(basis_size(round) * overlap.area)));
+    const int size = std::max(options_.first_basis,
+                              static_cast<int>(std::lround(basis_size(round) * overlap.area)));
     vertices = refine_on_overlap(
         overlap, source, target_.proxy,
         {*track.source, *track.target, track.cloud.inside, track.vertices, nearest}, wanted, size);
@@ -201,13 +201,12 @@ std::vector<bool> Refinement::covered_target(const Track& track,
                                              const std::vector<int>& nearest) const {
   if (!options_.parts) return {};
   const elastic::PointCloud& target = track.target->graph.cloud;
-  const double reach = options_.partial.cover *
-                       std::sqrt(track.judged.source->area() / track.source->size());
+  const double reach =
+      options_.partial.cover * std::sqrt(track.judged.source->area() / track.source->size());
   std::vector<bool> covered(nearest.size());
   for (std::size_t i = 0; i < nearest.size(); ++i)
-    covered[i] =
-        track.cloud.inside[nearest[i]] &&
-        (target.positions[i] - track.deformation.positions()[nearest[i]]).norm() <= reach;
+    covered[i] = track.cloud.inside[nearest[i]] &&
+                 (target.positions[i] - track.deformation.positions()[nearest[i]]).norm() <= reach;
   return smoothed(covered, target.areas, track.target->graph.neighbours, options_.partial);
 }
 

@@ -29,8 +29,8 @@ elastic::Deformation deformation_of(const Pyramid& pyramid) {
 }
 
 DeformedSurface carried(const Pyramid& pyramid, const elastic::Deformation& deformation) {
-  return deformed_surface(pyramid, deformation,
-                          node_graph(pyramid.proxy, deformation.size()).cloud, {});
+  return deformed_surface(pyramid, deformation, node_graph(pyramid.proxy, deformation.size()).cloud,
+                          {});
 }
 
 TEST(DeformedSurface, CarriesARigidMotionExactly) {
