@@ -67,7 +67,7 @@ class Registrar {
     } else {
       for (int i = 0; i < deformation_.size(); ++i) goals_[i].anchor_weight = cloud_.areas[i];
     }
-    if (options_.reach > 0) release_outside();
+    if (!cloud_.inside.empty()) release_outside();
     hold_pins();
     deformation_.fit_positions(goals_, length * length);
     deformation_.fit_rotations(options_.rotation_smoothness);
@@ -87,7 +87,7 @@ class Registrar {
 
   bool meets(int i, double reach) const {
     return feet_[i].normal.dot(normal(i)) >= options_.min_cosine &&
-           (options_.reach == 0 || (!feet_[i].on_rim && distance(i) <= reach));
+           (cloud_.inside.empty() || (!feet_[i].on_rim && distance(i) <= reach));
   }
 
   double distance(int i) const { return (deformation_.positions()[i] - feet_[i].position).norm(); }

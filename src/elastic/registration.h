@@ -30,8 +30,8 @@ struct RegistrationOptions {
   /// a ring of points each.
   int initial_rotations = 10;
   /// Where something may be missing, points are drawn only to what is at most as far as this, or as
-  /// the length of the step, not on the rim and not on the other side; 0 where nothing is.
-  double reach = 0;
+  /// the length of the step, and not to the rim.
+  double reach = 0.06;
 };
 
 struct Registration {

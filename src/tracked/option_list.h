@@ -30,6 +30,7 @@ void for_each_number(elastic::RegistrationOptions& r, const std::string& at, con
   visit(at + ".min_cosine", r.min_cosine);
   visit(at + ".incompatible_weight", r.incompatible_weight);
   visit(at + ".initial_rotations", r.initial_rotations);
+  visit(at + ".reach", r.reach);
 }
 
 template <class Visitor>
@@ -66,11 +67,56 @@ void for_each_number(GrowthStage& s, const std::string& at, const Visitor& visit
 }
 
 template <class Visitor>
+void for_each_number(PoseOptions& p, const std::string& at, const Visitor& visit) {
+  visit(at + ".source_points", p.source_points);
+  visit(at + ".target_points", p.target_points);
+  visit(at + ".shortest_pair", p.shortest_pair);
+  visit(at + ".longest_pair", p.longest_pair);
+  visit(at + ".length_bin", p.length_bin);
+  visit(at + ".angle_bin", p.angle_bin);
+  visit(at + ".peaks", p.peaks);
+  visit(at + ".improved", p.improved);
+  visit(at + ".kept", p.kept);
+  visit(at + ".iterations", p.iterations);
+  visit(at + ".same", p.same);
+  visit(at + ".close", p.close);
+  visit(at + ".min_cosine", p.min_cosine);
+  visit(at + ".contradiction", p.contradiction);
+  visit(at + ".contradiction_range", p.contradiction_range);
+  visit(at + ".rim_width", p.rim_width);
+  visit(at + ".landmark_price", p.landmark_price);
+  visit(at + ".followed", p.followed);
+  visit(at + ".max_energy", p.max_energy);
+  visit(at + ".normal_weight", p.normal_weight);
+}
+
+template <class Visitor>
+void for_each_number(PartialOptions& p, const std::string& at, const Visitor& visit) {
+  visit(at + ".open_boundary", p.open_boundary);
+  visit(at + ".doubt", p.doubt);
+  visit(at + ".entrants", p.entrants);
+  visit(at + ".landmark_price", p.landmark_price);
+  visit(at + ".energy_price", p.energy_price);
+  visit(at + ".distance_price", p.distance_price);
+  visit(at + ".contradiction_price", p.contradiction_price);
+  visit(at + ".contradiction_range", p.contradiction_range);
+  visit(at + ".rim_width", p.rim_width);
+  visit(at + ".landmark_reach", p.landmark_reach);
+  visit(at + ".reach", p.reach);
+  visit(at + ".least_inside", p.least_inside);
+  visit(at + ".beyond", p.beyond);
+  visit(at + ".cover", p.cover);
+  visit(at + ".smoothing", p.smoothing);
+  visit(at + ".min_piece", p.min_piece);
+}
+
+template <class Visitor>
 void for_each_number(HypothesisOptions& h, const std::string& at, const Visitor& visit) {
   for_each_number(h.seeds, at + ".seeds", visit);
   visit(at + ".growth.slack", h.growth.slack);
   visit(at + ".growth.orientation_weight", h.growth.orientation_weight);
   visit(at + ".growth.neighbours", h.growth.neighbours);
+  for_each_number(h.poses, at + ".poses", visit);
   for_each_number(h.coarse, at + ".coarse", visit);
   for_each_number(h.fine, at + ".fine", visit);
   for_each_number(h.symmetry, at + ".symmetry", visit);
@@ -92,6 +138,7 @@ template <class Visitor>
 void for_each_number(Options& options, const Visitor& visit) {
   for_each_number(options.pyramid, "pyramid", visit);
   for_each_number(options.hypotheses, "hypotheses", visit);
+  for_each_number(options.partial, "partial", visit);
   visit("entrants", options.entrants);
   visit("finalists", options.finalists);
   visit("mirror_price", options.mirror_price);
@@ -101,6 +148,7 @@ void for_each_number(Options& options, const Visitor& visit) {
   for_each_number(options.early_projection, "early_projection", visit);
   for_each_number(options.middle_projection, "middle_projection", visit);
   for_each_number(options.fine_projection, "fine_projection", visit);
+  for_each_number(options.posed_projection, "posed_projection", visit);
   for_each_number(options.judging, "judging", visit);
   for_each_number(options.first_registration, "first_registration", visit);
   visit("rounds", options.rounds);

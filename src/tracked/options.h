@@ -50,15 +50,25 @@ struct PartialOptions {
   /// .02 of the area, if it is one circle.
   double open_boundary = 0.5;
   /// Weight of what distances differ by, where both may be the same on the whole shapes.
-  float doubt = 0.3F;
+  float doubt = 0.5F;
+  /// Hypotheses that are followed on the middle level: more than of whole shapes, since distances
+  /// tell less.
+  int entrants = 16;
   /// What it costs to leave out a landmark: as much distortion.
-  float landmark_price = 0.12F;
-  /// What it costs to leave out area, as elastic energy and as distance of the surfaces.
-  double energy_price = 0.3, distance_price = 0.01;
+  float landmark_price = 0.06F;
+  /// What it costs to leave out area, as elastic energy and as distance of the surfaces, where it
+  /// is beyond the rim of the other shape.
+  double energy_price = 0.1, distance_price = 0.005;
+  /// By how much more it costs where it is not.
+  double contradiction_price = 4;
+  /// What is farther than this from the other shape does not contradict.
+  double contradiction_range = 0.3;
+  /// What is as close to the rim as this may be beyond it.
+  double rim_width = 0.05;
   /// A landmark that is matched stands for what is closer than this, over sqrt(area) of the smaller
   /// shape.
   double landmark_reach = 0.15;
-  /// Points are drawn to a surface that is at most as far as this, or as the length of the step.
+  /// What is farther from the other shape than this has no counterpart.
   double reach = 0.06;
   /// Of what is around a vertex that has a counterpart, at least so much has one.
   double least_inside = 0.3;
@@ -125,12 +135,21 @@ struct PoseOptions {
   /// Differences of lengths and angles (radians) that count as the same.
   double length_bin = 0.08, angle_bin = 0.35;
   /// Motions that are looked at for each point, of all that are improved, and that are kept.
-  int peaks = 3, improved = 60, kept = 8;
+  int peaks = 5, improved = 150, kept = 16;
   int iterations = 10;
   /// Motions that differ by less than this are the same.
   double same = 0.1;
   /// What is as close as this, with normals that agree as much, lies on the target.
   double close = 0.08, min_cosine = 0.5;
+  /// Where nothing lies on the target though it is no farther than `contradiction_range` and its
+  /// rim is no closer than `rim_width`, the pose is contradicted: weight against what overlaps.
+  double contradiction = 0.5, contradiction_range = 0.3, rim_width = 0.05;
+  /// What a landmark costs that it does not match, as distortion.
+  float landmark_price = 0.12F;
+  /// Motions that are followed beside other hypotheses, at most, if their energy is at most so many
+  /// times the least.
+  int followed = 2;
+  double max_energy = 1.5;
   /// How much normals count as distances when the closest point is looked for.
   double normal_weight = 0.05;
 };
@@ -206,6 +225,13 @@ struct Options {
   /// As long as limbs may be matched wrongly, on the middle level, and on the fine level.
   elastic::ProjectionWeights early_projection, middle_projection{.place = 0.05},
       fine_projection{.normal = 0.05, .relief = 0.1, .place = 0.05};
+  /// Of motions in space: what is close is right, and places along surfaces may mean nothing.
+  elastic::ProjectionWeights posed_projection{.normal = 0.03, .relief = 0, .place = 0};
+
+  /// On the fine level.
+  const elastic::ProjectionWeights& last_projection(bool posed) const {
+    return posed ? posed_projection : fine_projection;
+  }
   /// Of hypotheses: stiff, since a limb that is matched wrongly must cost energy.
   elastic::RegistrationOptions judging{.first_length = 0.3,
                                        .last_length = 0.04,

@@ -88,11 +88,9 @@ Views views_of(const Surface& source, const Surface& target, const PartialOption
 
 Options for_parts(Options options) {
   options.parts = true;
+  options.entrants = options.partial.entrants;
   options.hypotheses.growth.price = options.partial.landmark_price;
   options.hypotheses.growth.doubt = options.partial.doubt;
-  for (elastic::RegistrationOptions* step :
-       {&options.judging, &options.first_registration, &options.alternation, &options.settling})
-    step->reach = options.partial.reach;
   return options;
 }
 

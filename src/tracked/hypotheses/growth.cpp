@@ -26,7 +26,7 @@ Growth::Growth(const NodeDirections& source, int source_count, const NodeDirecti
       source_count_(std::min(source_count, source.size())),
       target_count_(std::min(target_count, target.size())),
       oriented_(options.orientation && source.oriented() && target.oriented()),
-      partial_(std::isfinite(options.price)),
+      partial_(options.doubt < 1),
       nearest_(source_count_),
       cost_(target_count_) {
   for (int i = 0; i < source_count_; ++i) {

@@ -45,11 +45,12 @@ HypothesisOptions with_landmarks(const Pyramid& source, const Pyramid& target,
 double energy(const Pyramid& source, const Pyramid& target, const Hypothesis& hypothesis,
               const elastic::Projection& surface, const Options& options) {
   elastic::PointCloud cloud = source.coarse.graph.cloud;
-  const std::vector<int> vertices = node_vertices(
-      target.proxy, densify(source.proxy, target.proxy, hypothesis, source.coarse.size()));
+  const std::vector<int> vertices =
+      starting_vertices(hypothesis, source.proxy, target.proxy, surface, source.coarse.size());
   set_places(cloud, target.proxy, vertices);
   elastic::Deformation deformation(cloud.positions, source.coarse.graph.neighbours);
-  std::vector<Point> anchors = selected(target.proxy.mesh.vertices, vertices);
+  std::vector<Point> anchors = hypothesis.pose ? posed(*hypothesis.pose, cloud.positions)
+                                               : selected(target.proxy.mesh.vertices, vertices);
   cloud.inside = covered_nodes(hypothesis, source, target, source.coarse.size(), options);
   if (options.parts) carry_outside(cloud, anchors);
   const elastic::Registration registration =
@@ -57,7 +58,15 @@ double energy(const Pyramid& source, const Pyramid& target, const Hypothesis& hy
   return registration.energy +
          options.partial.energy_price *
              left_out(cloud, inside_after(cloud, deformation.neighbours(), registration, options),
-                      source, target);
+                      registration, source, target, options.partial);
+}
+
+void reverse(Hypothesis& hypothesis) {
+  std::swap(hypothesis.source_nodes, hypothesis.target_nodes);
+  if (!hypothesis.pose) return;
+  Pose& pose = *hypothesis.pose;
+  pose.rotation.transposeInPlace();
+  pose.shift = -(pose.rotation * pose.shift);
 }
 
 /// Hypotheses grow on the smaller shape, most of which has a counterpart.
@@ -70,8 +79,7 @@ std::vector<Hypothesis> hypotheses_between(const Pyramid& source, const Pyramid&
   for (Match& match : reversed.landmarks) std::swap(match.source, match.target);
   std::vector<Hypothesis> hypotheses =
       find_hypotheses(target.proxy, source.proxy, reversed, context);
-  for (Hypothesis& hypothesis : hypotheses)
-    std::swap(hypothesis.source_nodes, hypothesis.target_nodes);
+  for (Hypothesis& hypothesis : hypotheses) reverse(hypothesis);
   return hypotheses;
 }
 
@@ -82,11 +90,13 @@ std::vector<Judged> found_and_judged(const Pyramid& source, const Pyramid& targe
   constexpr double kFound = 0.7;
   std::vector<Hypothesis> hypotheses =
       hypotheses_between(source, target, search, part_of(context, 0, kFound));
-  const elastic::Projection surface = projection_onto(target.proxy, options.early_projection);
+  const elastic::Projection surface = projection_onto(target.proxy, options.early_projection),
+                            posed_surface = projection_onto(target.proxy, options.posed_projection);
   Steps steps(context, "hypotheses", kFound, 1, static_cast<int>(hypotheses.size()));
   std::vector<Judged> judged(hypotheses.size());
   parallel_for(std::ssize(hypotheses), context, [&](std::ptrdiff_t k) {
-    const double e = energy(source, target, hypotheses[k], surface, options);
+    const double e = energy(source, target, hypotheses[k],
+                            hypotheses[k].pose ? posed_surface : surface, options);
     judged[k] = {std::move(hypotheses[k]), e, &source};
     steps.take();
   });
@@ -131,6 +141,18 @@ bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyrami
     at = i;
   }
   return target.proxy.node_distance(onto, hypothesis.target_nodes[at]) <= nearest + slack;
+}
+
+std::vector<int> starting_vertices(const Hypothesis& hypothesis, const Proxy& source,
+                                   const Proxy& target, const elastic::Projection& surface,
+                                   int count) {
+  if (!hypothesis.pose) return node_vertices(target, densify(source, target, hypothesis, count));
+  std::vector<elastic::Foot> feet;
+  for (int i = 0; i < count; ++i)
+    feet.push_back(surface((*hypothesis.pose)(source.node_position(i)),
+                           hypothesis.pose->rotation * source.node_normal(i),
+                           source.features[source.nodes[i]]));
+  return nearest_vertices(target.mesh, feet);
 }
 
 std::vector<bool> covered_nodes(const Hypothesis& hypothesis, const Pyramid& source,

@@ -36,6 +36,11 @@ Candidates judged_hypotheses(const Pyramid& source, const Pyramid& target, const
 bool satisfies(const Hypothesis& hypothesis, const Match& vertices, const Pyramid& source,
                const Pyramid& target, float slack);
 
+/// Vertices of the target's proxy at which a hypothesis puts the first `count` nodes of the source.
+std::vector<int> starting_vertices(const Hypothesis& hypothesis, const Proxy& source,
+                                   const Proxy& target, const elastic::Projection& surface,
+                                   int count);
+
 /// The first `count` nodes of the source that a hypothesis says something of: those that are close
 /// to one that it matches. Empty where nothing is missing.
 std::vector<bool> covered_nodes(const Hypothesis& hypothesis, const Pyramid& source,

@@ -20,16 +20,19 @@ namespace {
 struct OrientedPoints {
   std::vector<Point> positions, normals;
   std::vector<double> areas;
+  /// From the rim, infinite where nothing is missing.
+  std::vector<double> to_rim;
 
   int size() const { return static_cast<int>(positions.size()); }
 };
 
 OrientedPoints oriented_points(const Proxy& proxy, int count) {
   const NodeGraph graph = node_graph(proxy, count);
-  OrientedPoints points{graph.cloud.positions, graph.cloud.normals, graph.cloud.areas};
+  OrientedPoints points{graph.cloud.positions, graph.cloud.normals, graph.cloud.areas, {}};
   for (int i = 0; i < points.size(); ++i) {
     for (int j : graph.neighbours[i]) points.normals[i] += graph.cloud.normals[j];
     points.normals[i].normalize();
+    points.to_rim.push_back(proxy.to_boundary[proxy.nodes[i]]);
   }
   return points;
 }
@@ -111,21 +114,101 @@ class PairTable {
   std::unordered_map<int, std::vector<TargetPair>> pairs_;
 };
 
-/// How well a source lies on a target under a motion.
-class Fitting {
+Point mean_of(const std::vector<Point>& points) {
+  Point sum(0, 0, 0);
+  for (const Point& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+/// A surface on which others may lie.
+class Ground {
  public:
-  Fitting(const OrientedPoints& source, const OrientedPoints& target, const PoseOptions& options)
-      : source_(source), target_(target), options_(options) {
-    for (int i = 0; i < target.size(); ++i)
-      coordinates_.push_back(coordinates(target.positions[i], target.normals[i]));
-    tree_.emplace(coordinates_);
+  struct Nearest {
+    int point;
+    double distance;
+  };
+
+  Ground(const OrientedPoints& points, const PoseOptions& options)
+      : points_(points), options_(options), places_(points.positions) {
+    for (int i = 0; i < points.size(); ++i)
+      coordinates_.push_back(coordinates(points.positions[i], points.normals[i]));
+    oriented_.emplace(coordinates_);
   }
 
-  void measure(Pose& pose) const {
+  const Point& position(int point) const { return points_.positions[point]; }
+
+  /// The point that lies below another one, if it is close and faces the same way.
+  std::optional<Nearest> below(const Point& p, const Point& normal, double radius) const {
+    const int point = oriented_->nearest(coordinates(p, normal));
+    const double distance = (points_.positions[point] - p).norm();
+    if (distance >= radius || points_.normals[point].dot(normal) < options_.min_cosine) return {};
+    return Nearest{point, distance};
+  }
+
+  /// Whether a point that lies on nothing should lie on something: what is closest to it is not
+  /// the rim, beyond which it may be what is missing.
+  bool contradicts(const Point& p) const {
+    const int point = places_.nearest(p);
+    return (points_.positions[point] - p).norm() < options_.contradiction_range &&
+           points_.to_rim[point] > options_.rim_width;
+  }
+
+ private:
+  using Coordinates = KdTree<6>::Coordinates;
+
+  Coordinates coordinates(const Point& position, const Point& normal) const {
+    Coordinates result;
+    result << position, options_.normal_weight * normal;
+    return result;
+  }
+
+  const OrientedPoints& points_;
+  const PoseOptions& options_;
+  KdTree<3> places_;
+  std::vector<Coordinates> coordinates_;
+  std::optional<KdTree<6>> oriented_;
+};
+
+/// How well a source lies on a target under a motion. Both are given twice: a few points that are
+/// looked at, and many on which they may lie.
+class Fitting {
+ public:
+  struct Side {
+    const OrientedPoints& few;
+    const OrientedPoints& many;
+  };
+
+  Fitting(const Side& source, const Side& target, const PoseOptions& options)
+      : source_(source.few),
+        target_(target.few),
+        options_(options),
+        below_source_(source.many, options),
+        below_target_(target.many, options) {}
+
+  /// Only what lies on the target counts.
+  void estimate(Pose& pose) const {
     pose.overlap = 0;
     for (int i = 0; i < source_.size(); ++i)
-      if (const auto found = nearest(pose, i, options_.close))
+      if (const auto found = below_target(pose, i, options_.close))
         pose.overlap += source_.areas[i] * (1 - found->distance / options_.close);
+  }
+
+  /// What contradicts the pose, on both sides, counts against it.
+  void measure(Pose& pose) const {
+    estimate(pose);
+    double against = 0;
+    for (int i = 0; i < source_.size(); ++i)
+      if (!below_target(pose, i, options_.close) &&
+          below_target_.contradicts(pose(source_.positions[i])))
+        against += source_.areas[i];
+    const Eigen::Matrix3d back = pose.rotation.transpose();
+    for (int i = 0; i < target_.size(); ++i) {
+      const Point p = back * (target_.positions[i] - pose.shift);
+      if (!below_source_.below(p, back * target_.normals[i], options_.close) &&
+          below_source_.contradicts(p))
+        against += target_.areas[i];
+    }
+    pose.overlap -= options_.contradiction * against;
   }
 
   /// Iterated closest points; those that have none nearby do not count.
@@ -134,10 +217,10 @@ class Fitting {
       const double radius = options_.close * (step < options_.iterations / 2 ? 1.5 : 1);
       std::vector<Point> from, to;
       for (int i = 0; i < source_.size(); ++i) {
-        const auto found = nearest(pose, i, radius);
+        const auto found = below_target(pose, i, radius);
         if (!found) continue;
         from.push_back(source_.positions[i]);
-        to.push_back(target_.positions[found->point]);
+        to.push_back(below_target_.position(found->point));
       }
       if (from.size() < 4) break;
       pose.rotation = best_rotation(from, to);
@@ -157,37 +240,15 @@ class Fitting {
   }
 
  private:
-  struct Nearest {
-    int point;
-    double distance;
-  };
-  using Coordinates = KdTree<6>::Coordinates;
-
-  static Point mean_of(const std::vector<Point>& points) {
-    Point sum(0, 0, 0);
-    for (const Point& p : points) sum += p;
-    return sum / static_cast<double>(points.size());
-  }
-
-  Coordinates coordinates(const Point& position, const Point& normal) const {
-    Coordinates result;
-    result << position, options_.normal_weight * normal;
-    return result;
-  }
-
-  std::optional<Nearest> nearest(const Pose& pose, int i, double radius) const {
-    const Point p = pose(source_.positions[i]), normal = pose.rotation * source_.normals[i];
-    const int point = tree_->nearest(coordinates(p, normal));
-    const double distance = (target_.positions[point] - p).norm();
-    if (distance >= radius || target_.normals[point].dot(normal) < options_.min_cosine) return {};
-    return Nearest{point, distance};
+  std::optional<Ground::Nearest> below_target(const Pose& pose, int i, double radius) const {
+    return below_target_.below(pose(source_.positions[i]), pose.rotation * source_.normals[i],
+                               radius);
   }
 
   const OrientedPoints& source_;
   const OrientedPoints& target_;
   const PoseOptions& options_;
-  std::vector<Coordinates> coordinates_;
-  std::optional<KdTree<6>> tree_;
+  Ground below_source_, below_target_;
 };
 
 /// The poses that most pairs with one point of the source speak for.
@@ -259,15 +320,21 @@ void select(std::vector<Pose>& poses, const Fitting& fitting, double same, int c
 
 }  // namespace
 
+std::vector<Point> posed(const Pose& pose, std::vector<Point> points) {
+  for (Point& p : points) p = pose(p);
+  return points;
+}
+
 std::vector<Pose> find_poses(const Proxy& source, const Proxy& target, const PoseOptions& options) {
   const OrientedPoints from = oriented_points(source, options.source_points);
   const OrientedPoints onto = oriented_points(target, options.target_points);
-  const OrientedPoints fine = oriented_points(target, target.num_nodes());
-  const Fitting fitting(from, fine, options);
+  const OrientedPoints fine_from = oriented_points(source, source.num_nodes()),
+                       fine_onto = oriented_points(target, target.num_nodes());
+  const Fitting fitting({from, fine_from}, {onto, fine_onto}, options);
   Voting voting(from, onto, options);
   std::vector<Pose> poses;
   for (int i = 0; i < from.size(); ++i) voting.poses_at(i, poses);
-  for (Pose& pose : poses) fitting.measure(pose);
+  for (Pose& pose : poses) fitting.estimate(pose);
   select(poses, fitting, options.same, options.improved);
   for (Pose& pose : poses) fitting.improve(pose);
   select(poses, fitting, options.same, options.kept);

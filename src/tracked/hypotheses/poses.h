@@ -21,6 +21,9 @@ struct Pose {
   Point operator()(const Point& p) const { return rotation * p + shift; }
 };
 
+/// Where a pose takes points.
+std::vector<Point> posed(const Pose& pose, std::vector<Point> points);
+
 /// Motions under which much of the source lies on the target, the most first: votes of pairs of
 /// points with normals (Drost et al. 2010), then iterated closest points. Where the sides of the
 /// surfaces are not known, normals count up to their sign. O(source nodes^2 * target nodes).

@@ -145,7 +145,7 @@ std::vector<LandmarkMap> grow_in_stages(const std::vector<Correspondence>& seeds
 
 Hypothesis between_nodes(const LandmarkMap& map, const NodeDirections& source,
                          const NodeDirections& target) {
-  Hypothesis hypothesis{{}, {}, map.distortion, map.orientation};
+  Hypothesis hypothesis{{}, {}, map.distortion, map.orientation, std::nullopt};
   for (std::size_t i = 0; i < map.target_of_source.size(); ++i) {
     if (map.target_of_source[i] == kUnmatched) continue;
     hypothesis.source_nodes.push_back(source.node(static_cast<int>(i)));
@@ -216,23 +216,23 @@ std::vector<LandmarkMap> twins_of(const std::vector<LandmarkMap>& maps,
   return grow_all(starts, source, target, options.fine, options, context);
 }
 
-/// What poses match, and what grows from there.
-std::vector<LandmarkMap> posed_maps(const Proxy& source, const NodeDirections& from,
-                                    const Proxy& target, const NodeDirections& onto,
-                                    const HypothesisOptions& options, const Context& context) {
-  std::vector<Correspondence> starts;
-  for (const Pose& pose : find_poses(source, target, options.poses))
-    starts.push_back(matches_under(pose, source, from, target, onto, options.poses));
-  std::vector<LandmarkMap> maps = grow_all(starts, from, onto, options.fine, options, context);
-  if (std::isinf(options.growth.price)) return maps;
-  Growth growth(from, options.fine.source_landmarks, onto, options.fine.target_landmarks,
-                options.growth);
-  for (const Correspondence& start : starts) {
-    if (std::cmp_less(start.size(), options.seeds.min_matches)) continue;
-    maps.push_back(growth.only(start));
-    growth.measure(maps.back());
+/// Poses themselves, with what they match.
+std::vector<Hypothesis> posed_hypotheses(const std::vector<Pose>& poses,
+                                         const std::vector<Correspondence>& matched,
+                                         const NodeDirections& from, const NodeDirections& onto,
+                                         const HypothesisOptions& options) {
+  GrowthOptions priced = options.growth;
+  priced.price = std::min(priced.price, options.poses.landmark_price);
+  Growth growth(from, options.fine.source_landmarks, onto, options.fine.target_landmarks, priced);
+  std::vector<Hypothesis> hypotheses;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    if (std::cmp_less(matched[k].size(), options.seeds.min_matches)) continue;
+    LandmarkMap map = growth.only(matched[k]);
+    growth.measure(map);
+    hypotheses.push_back(between_nodes(map, from, onto));
+    hypotheses.back().pose = poses[k];
   }
-  return maps;
+  return hypotheses;
 }
 
 std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& target, const Tips& tips,
@@ -255,10 +255,16 @@ std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& targe
   context.report(1, kHypothesesStage);
   if (options.growth.orientation && source.oriented && target.oriented) drop_mirrored(maps);
   select(maps, onto, options.fine.max_maps, options);
-  std::ranges::move(posed_maps(source, from, target, onto, options, context),
+  const std::vector<Pose> poses = find_poses(source, target, options.poses);
+  std::vector<Correspondence> matched;
+  for (const Pose& pose : poses)
+    matched.push_back(matches_under(pose, source, from, target, onto, options.poses));
+  std::ranges::move(grow_all(matched, from, onto, options.fine, options, context),
                     std::back_inserter(maps));
   std::vector<Hypothesis> hypotheses;
   for (const LandmarkMap& map : maps) hypotheses.push_back(between_nodes(map, from, onto));
+  std::ranges::move(posed_hypotheses(poses, matched, from, onto, options),
+                    std::back_inserter(hypotheses));
   return hypotheses;
 }
 

@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "tracked/shape/detail.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/simplify.h"
 #include "geometry/walk.h"
 #include "parallel.h"
@@ -51,8 +54,12 @@ Detail make_detail(const PreparedShape& shape, const Surface& surface,
 void set_places(Detail& detail, const std::vector<int>& vertices, const Context& context) {
   const std::vector<float> fields = geodesic_fields(*detail.graph, vertices, context);
   const std::size_t n = detail.features.size();
+  float longest = 0;  // What is not connected is as far as what is farthest.
+  for (const float d : fields)
+    if (std::isfinite(d)) longest = std::max(longest, d);
   for (std::size_t k = 0; k < vertices.size(); ++k)
-    for (std::size_t v = 0; v < n; ++v) detail.features[v].place[k] = fields[k * n + v];
+    for (std::size_t v = 0; v < n; ++v)
+      detail.features[v].place[k] = std::min(fields[k * n + v], longest);
 }
 
 std::vector<int> anchors(const Surface& surface, const Detail& detail, const Context& context) {

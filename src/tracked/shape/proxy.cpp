@@ -3,6 +3,7 @@
 #include "tracked/shape/proxy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -29,6 +30,15 @@ std::vector<int> spread_nodes(const GeodesicGraph& graph, int count) {
   return farthest_points(graph, all, count, start);
 }
 
+/// Distances to what is not connected become somewhat longer than all others.
+void hold_to_reached(FloatMatrix& distances) {
+  float longest = 0;
+  for (const float d : distances.reshaped())
+    if (std::isfinite(d)) longest = std::max(longest, d);
+  for (float& d : distances.reshaped())
+    if (!std::isfinite(d)) d = 1.5F * longest;
+}
+
 void measure_distances(Proxy& proxy, int most, const Context& context) {
   const std::size_t n = proxy.mesh.vertices.size();
   proxy.distances.resize(std::min(proxy.num_nodes(), most), static_cast<Eigen::Index>(n));
@@ -37,6 +47,7 @@ void measure_distances(Proxy& proxy, int most, const Context& context) {
       [&](GeodesicSearch& search, std::ptrdiff_t i) {
         search.field(proxy.nodes[i], {proxy.distances.row(i).data(), n});
       });
+  hold_to_reached(proxy.distances);
 }
 
 std::vector<float> distances_to_boundary(const Proxy& proxy, bool open) {

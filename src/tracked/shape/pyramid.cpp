@@ -78,6 +78,15 @@ std::shared_ptr<const Pyramid> pyramid_of(const PreparedShape& shape, const View
       {options, view}, [&] { return make_pyramid(shape, view, options, context); });
 }
 
+std::vector<int> nearest_vertices(const Mesh& mesh, const std::vector<elastic::Foot>& feet) {
+  std::vector<int> vertices;
+  for (const elastic::Foot& foot : feet) {
+    const auto& [face, weights] = foot.point;
+    vertices.push_back(mesh.faces[face][std::ranges::max_element(weights) - weights.begin()]);
+  }
+  return vertices;
+}
+
 std::vector<int> rim_of(const Proxy& proxy) {
   std::vector<int> rim;
   for (int v = 0; v < proxy.num_vertices(); ++v)

@@ -70,6 +70,9 @@ std::vector<int> node_vertices(const Proxy& proxy, std::vector<int> nodes);
 /// Those of `points` that are asked for, in that order.
 std::vector<Point> selected(const std::vector<Point>& points, const std::vector<int>& indices);
 
+/// The corners that are closest to points of a mesh.
+std::vector<int> nearest_vertices(const Mesh& mesh, const std::vector<elastic::Foot>& feet);
+
 /// Vertices beyond which something may be missing.
 std::vector<int> rim_of(const Proxy& proxy);
 

@@ -57,9 +57,9 @@ bool has_counterpart(const Side& from, const Side& onto, const Mesh& mesh, int v
 }
 
 /// Points of `onto` that are closest in space, found from those of the details.
-SurfacePoints project(const Side& from, const Side& onto, const Options& options,
-                      const Context& context) {
-  const std::vector<int> starts = closest_details(from, onto, options.fine_projection, context);
+SurfacePoints project(const Side& from, const Side& onto, const elastic::ProjectionWeights& weights,
+                      const Options& options, const Context& context) {
+  const std::vector<int> starts = closest_details(from, onto, weights, context);
   const Surface& surface = *onto.pyramid.surface;
   const Mesh mesh{onto.deformed.positions, surface.mesh.faces};
   SurfaceMap map(from.deformed.positions.size());
@@ -99,8 +99,10 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
   const DeformedSurface rest{goal.mesh.vertices, goal.normals, target.detail.features,
                              std::vector<double>(goal.mesh.vertices.size(), 1.0)};
   const Side from{source, deformed}, onto{target, rest};
-  DenseMap map{project(from, onto, options, context), project(onto, from, options, context),
-               std::move(deformed.positions)};
+  const elastic::ProjectionWeights& weights =
+      options.last_projection(track.judged.hypothesis.pose.has_value());
+  DenseMap map{project(from, onto, weights, options, context),
+               project(onto, from, weights, options, context), std::move(deformed.positions)};
   for (const Match& match : *options.landmarks)
     (*map.source_to_target)[match.source] =
         closest_point_around(goal.mesh, goal.faces, match.target, goal.mesh.vertices[match.target]);

@@ -47,7 +47,26 @@ std::vector<Track> all_tracks(const std::vector<Start>& starts, int most, const 
 }
 
 bool same_origin(const Judged& a, const Judged& b) {
-  return a.source == b.source && a.hypothesis.target_nodes == b.hypothesis.target_nodes;
+  return a.source == b.source && a.hypothesis.target_nodes == b.hypothesis.target_nodes &&
+         a.hypothesis.pose.has_value() == b.hypothesis.pose.has_value();
+}
+
+/// The first hypotheses, and motions of little energy: distances along surfaces, by which the order
+/// is made as well, mean nothing where these are full of holes.
+std::vector<Judged> entrants_of(const std::vector<Judged>& judged, const Options& options) {
+  if (options.different_maps > 1) return judged;
+  const auto count = std::min(judged.size(), static_cast<std::size_t>(options.entrants));
+  std::vector<Judged> entrants(judged.begin(), judged.begin() + static_cast<std::ptrdiff_t>(count));
+  const double limit =
+      options.hypotheses.poses.max_energy * std::ranges::min(entrants, {}, &Judged::energy).energy;
+  std::vector<Judged> others(judged.begin() + static_cast<std::ptrdiff_t>(count), judged.end());
+  std::erase_if(others, [&](const Judged& j) { return !j.hypothesis.pose || j.energy > limit; });
+  std::ranges::stable_sort(others, {}, &Judged::energy);
+  const auto followed =
+      std::min(others.size(), static_cast<std::size_t>(options.hypotheses.poses.followed));
+  entrants.insert(entrants.end(), others.begin(),
+                  others.begin() + static_cast<std::ptrdiff_t>(followed));
+  return entrants;
 }
 
 /// Those that fit best and, since a map may be torn for a while on the middle level, the one that
@@ -80,11 +99,10 @@ Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, cons
   constexpr double kMiddle = 0.4, kFine = 0.8;
   const Refinement refinement(target, options, context);
   const int finalists = std::max(options.finalists, options.different_maps);
-  const int entrants =
-      options.different_maps > 1 ? static_cast<int>(judged.size()) : options.entrants;
+  const std::vector<Judged> entrants = entrants_of(judged, options);
   context.check_stop();
   const std::vector<Track> middle =
-      ranked(all_tracks(judged, entrants, part_of(context, 0, kMiddle),
+      ranked(all_tracks(entrants, static_cast<int>(entrants.size()), part_of(context, 0, kMiddle),
                         [&](const Judged& j) { return refinement.begin(j); }),
              options);
   context.check_stop();

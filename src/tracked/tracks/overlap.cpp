@@ -120,12 +120,19 @@ std::vector<bool> inside_after(const elastic::PointCloud& cloud, const IndexList
 }
 
 double left_out(const elastic::PointCloud& cloud, const std::vector<bool>& inside,
-                const Pyramid& source, const Pyramid& target) {
+                const elastic::Registration& registration, const Pyramid& source,
+                const Pyramid& target, const PartialOptions& options) {
   if (inside.empty()) return 0;
-  double area = 0;
-  for (std::size_t i = 0; i < inside.size(); ++i)
-    if (inside[i]) area += cloud.areas[i];
-  return std::max(0.0, std::min(source.area(), target.area()) - area);
+  double beyond = 0, unexplained = 0;
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    if (inside[i]) continue;
+    const Face& face = target.proxy.mesh.faces[registration.feet[i].point.face];
+    const bool by_rim = std::ranges::any_of(
+        face, [&](int v) { return target.proxy.to_boundary[v] < options.rim_width; });
+    (by_rim ? beyond : unexplained) += cloud.areas[i];
+  }
+  const double too_much = std::max(0.0, source.area() - target.area());
+  return std::max(0.0, beyond - too_much) + options.contradiction_price * unexplained;
 }
 
 Part part_of_proxy(const Proxy& proxy, const Level& level, const std::vector<bool>& inside,

@@ -26,9 +26,11 @@ std::vector<bool> inside_after(const elastic::PointCloud& cloud, const IndexList
 std::vector<bool> smoothed(const std::vector<bool>& inside, const std::vector<double>& areas,
                            const IndexLists& neighbours, const PartialOptions& options);
 
-/// The area by which what is inside is less than the smaller shape.
+/// The area of points that are not inside; more of those that are not beyond the target's rim, so
+/// that nothing tells why. Of what must be left out since the target is smaller, nothing counts.
 double left_out(const elastic::PointCloud& cloud, const std::vector<bool>& inside,
-                const Pyramid& source, const Pyramid& target);
+                const elastic::Registration& registration, const Pyramid& source,
+                const Pyramid& target, const PartialOptions& options);
 
 /// A part of a proxy, with eigenfunctions of its own.
 struct Part {

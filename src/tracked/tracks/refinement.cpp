@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tracked/hypotheses/densify.h"
+#include "tracked/tracks/deformed_surface.h"
 #include "tracked/tracks/mending.h"
 
 namespace isomatch::tracked {
@@ -29,19 +30,9 @@ std::vector<elastic::Pin> landmark_pins(const Pyramid& source, const Pyramid& ta
   return pins;
 }
 
-/// What one registration hands on to the next: the target vertex nearest to each foot.
-std::vector<int> foot_vertices(const Mesh& mesh, const std::vector<elastic::Foot>& feet) {
-  std::vector<int> vertices;
-  for (const elastic::Foot& foot : feet) {
-    const auto& [face, weights] = foot.point;
-    vertices.push_back(mesh.faces[face][std::ranges::max_element(weights) - weights.begin()]);
-  }
-  return vertices;
-}
-
 /// Points outside stay where they are, or, at first, move with those around them.
 void place_outside(const Track& track, std::vector<Point>& anchors) {
-  if (track.registration.feet.empty()) return carry_outside(track.cloud, anchors);
+  if (!track.placed) return carry_outside(track.cloud, anchors);
   for (std::size_t i = 0; i < anchors.size(); ++i)
     if (!track.cloud.inside[i]) anchors[i] = track.deformation.positions()[i];
 }
@@ -52,6 +43,12 @@ std::vector<bool> inside_on(const Level& level, const Proxy& proxy, const Track&
   for (int i = 0; !track.cloud.inside.empty() && i < level.size(); ++i)
     inside.push_back(track.cloud.inside[track.source->graph.cell[proxy.nodes[i]]]);
   return inside;
+}
+
+/// The nodes of a track are at `positions`.
+void place(Track& track, std::vector<Point> positions) {
+  track.deformation.set_positions(std::move(positions));
+  track.placed = true;
 }
 
 double between(double first, double last, double progress) {
@@ -66,7 +63,8 @@ Refinement::Refinement(const Pyramid& target, const Options& options, const Cont
       context_(context),
       early_surface_(projection_onto(target.proxy, options.early_projection)),
       middle_surface_(projection_onto(target.proxy, options.middle_projection)),
-      fine_surface_(projection_onto(target.proxy, options.fine_projection)) {}
+      fine_surface_(projection_onto(target.proxy, options.fine_projection)),
+      posed_surface_(projection_onto(target.proxy, options.posed_projection)) {}
 
 Track Refinement::begin(const Judged& judged) const {
   const Level& middle = judged.source->middle;
@@ -75,7 +73,10 @@ Track Refinement::begin(const Judged& judged) const {
     track.vertices = spectral_step(track, middle, round);
     run_round(track, round);
   }
-  if (options_.middle_rounds() > 0 && !options_.parts) mend(track);
+  if (track.judged.hypothesis.pose)
+    weigh_left_out(track);
+  else if (options_.middle_rounds() > 0)
+    options_.parts ? extend(track) : mend(track);
   return track;
 }
 
@@ -98,30 +99,68 @@ void Refinement::mend(Track& track) const {
   if (other.cost() < track.cost()) track = std::move(other);
 }
 
+/// Nodes that were left out without a reason get the places that agree best with all others, if the
+/// surfaces fit better for it.
+void Refinement::extend(Track& track) const {
+  weigh_left_out(track);
+  Hypothesis known;
+  const std::vector<int> cell = track.target->graph.cell;
+  for (int i = 0; i < track.source->size(); ++i) {
+    if (!track.cloud.inside[i]) continue;
+    known.source_nodes.push_back(i);
+    known.target_nodes.push_back(cell[track.vertices[i]]);
+  }
+  if (known.source_nodes.empty()) return;
+  const std::vector<int> places =
+      densify(track.judged.source->proxy, target_.proxy, known, track.source->size());
+  Track other = track;
+  bool any = false;
+  for (int i = 0; i < track.source->size(); ++i) {
+    const int vertex = target_.proxy.nodes[places[i]];
+    if (track.cloud.inside[i] || target_.proxy.to_boundary[vertex] < options_.partial.rim_width)
+      continue;
+    other.vertices[i] = vertex;
+    other.cloud.inside[i] = any = true;
+  }
+  if (!any) return;
+  advance(other, middle_surface_, options_.mending.registration);
+  run_round(other, options_.middle_rounds() - 1);
+  weigh_left_out(other);
+  if (other.cost() < track.cost()) track = std::move(other);
+}
+
 Track Refinement::finish(const Track& middle) const {
   const Level& fine = middle.judged.source->fine;
-  if (options_.rounds == 0) return registered(middle.judged, fine, target_.fine);
+  if (options_.rounds == 0) {
+    Track track = registered(middle.judged, fine, target_.fine);
+    weigh_left_out(track);
+    return track;
+  }
   const int first = options_.middle_rounds();
   Track track = middle;
   std::vector<int> vertices = spectral_step(track, fine, first);
   return fine_rounds(middle.judged, std::move(vertices),
-                     inside_on(fine, middle.judged.source->proxy, track), first);
+                     inside_on(fine, middle.judged.source->proxy, track), first,
+                     carried(track, fine));
 }
 
 Track Refinement::fine_rounds(const Judged& judged, std::vector<int> vertices,
-                              std::vector<bool> inside, int first) const {
+                              std::vector<bool> inside, int first,
+                              std::vector<Point> positions) const {
   const Level& fine = judged.source->fine;
   Track track = enter(judged, fine, target_.fine, std::move(vertices), std::move(inside));
+  if (judged.hypothesis.pose && !positions.empty()) place(track, std::move(positions));
   run_round(track, first);
   for (int round = first + 1; round < options_.rounds; ++round) {
     track.vertices = spectral_step(track, fine, round);
     run_round(track, round);
   }
+  weigh_left_out(track);
   return track;
 }
 
 void Refinement::settle(Track& track, std::span<const Point> anchors) const {
-  advance(track, fine_surface_, options_.settling, anchors);
+  advance(track, surface_of(track), options_.settling, anchors);
 }
 
 /// The hypothesis after a first registration.
@@ -131,7 +170,9 @@ Track Refinement::registered(const Judged& judged, const Level& source, const Le
       node_vertices(target_.proxy,
                     densify(judged.source->proxy, target_.proxy, judged.hypothesis, source.size())),
       covered_nodes(judged.hypothesis, *judged.source, target_, source.size(), options_));
-  advance(track, early_surface_, options_.first_registration);
+  if (judged.hypothesis.pose) place(track, posed(*judged.hypothesis.pose, track.cloud.positions));
+  advance(track, judged.hypothesis.pose ? posed_surface_ : early_surface_,
+          options_.first_registration);
   return track;
 }
 
@@ -152,9 +193,23 @@ Track Refinement::enter(const Judged& judged, const Level& source, const Level& 
 /// The map that a spectral step makes of a track, for the nodes of `wanted`.
 std::vector<int> Refinement::spectral_step(Track& track, const Level& wanted, int round) const {
   context_.check_stop();
+  if (track.judged.hypothesis.pose) {
+    std::vector<int> vertices;
+    for (int i = 0; i < wanted.size(); ++i)
+      vertices.push_back(
+          track.vertices[track.source->graph.cell[track.judged.source->proxy.nodes[i]]]);
+    return vertices;
+  }
   if (options_.parts) return overlap_step(track, wanted, round);
   return refine(track.source->samples, track.target->samples, target_.basis,
                 {track.vertices, nearest_nodes(track)}, wanted.samples, basis_size(round));
+}
+
+/// Nodes of a level as they move along with those of the track.
+std::vector<Point> Refinement::carried(const Track& track, const Level& wanted) {
+  const Proxy& proxy = track.judged.source->proxy;
+  const DeformedSurface deformed = deformed_surface(proxy, track.deformation, track.cloud);
+  return selected(deformed.positions, {proxy.nodes.begin(), proxy.nodes.begin() + wanted.size()});
 }
 
 /// The same on what overlaps. Nodes outside stay where those around them are.
@@ -210,6 +265,11 @@ std::vector<bool> Refinement::covered_target(const Track& track,
   return smoothed(covered, target.areas, track.target->graph.neighbours, options_.partial);
 }
 
+const elastic::Projection& Refinement::surface_of(const Track& track) const {
+  if (track.judged.hypothesis.pose) return posed_surface_;
+  return is_fine(track) ? fine_surface_ : middle_surface_;
+}
+
 bool Refinement::is_fine(const Track& track) { return track.source == &track.judged.source->fine; }
 
 std::vector<int> Refinement::nearest_nodes(const Track& track) const {
@@ -217,9 +277,11 @@ std::vector<int> Refinement::nearest_nodes(const Track& track) const {
   std::vector<Point> normals;
   for (int i = 0; i < deformation.size(); ++i)
     normals.push_back(deformation.rotations()[i] * track.cloud.normals[i]);
-  const elastic::NearestPoint nearest_source(
-      deformation.positions(), normals, track.cloud.features,
-      is_fine(track) ? options_.fine_projection : options_.middle_projection);
+  const elastic::NearestPoint nearest_source(deformation.positions(), normals, track.cloud.features,
+                                             track.judged.hypothesis.pose
+                                                 ? options_.posed_projection
+                                             : is_fine(track) ? options_.fine_projection
+                                                              : options_.middle_projection);
   const elastic::PointCloud& target = track.target->graph.cloud;
   std::vector<int> nearest;
   for (int i = 0; i < track.target->size(); ++i)
@@ -231,14 +293,17 @@ void Refinement::run_round(Track& track, int round) const {
   elastic::RegistrationOptions step = options_.alternation;
   step.first_length = step.last_length =
       between(step.first_length, step.last_length, progress(round));
-  advance(track, is_fine(track) ? fine_surface_ : middle_surface_, step);
+  advance(track, surface_of(track), step);
 }
 
 void Refinement::advance(Track& track, const elastic::Projection& onto,
                          const elastic::RegistrationOptions& step) const {
   set_places(track.cloud, target_.proxy, track.vertices);
   std::vector<Point> anchors = selected(target_.proxy.mesh.vertices, track.vertices);
-  if (options_.parts) place_outside(track, anchors);
+  if (track.placed && track.judged.hypothesis.pose)
+    anchors = track.deformation.positions();
+  else if (options_.parts)
+    place_outside(track, anchors);
   advance(track, onto, step, anchors);
 }
 
@@ -249,15 +314,36 @@ void Refinement::advance(Track& track, const elastic::Projection& onto,
   track.registration = register_onto(
       track.cloud, track.deformation, onto, anchors, step,
       landmark_pins(*track.judged.source, target_, track.deformation, options_.landmarks));
+  track.placed = true;
   if (options_.parts) look_at_overlap(track);
-  track.vertices = foot_vertices(target_.proxy.mesh, track.registration.feet);
+  track.vertices = nearest_vertices(target_.proxy.mesh, track.registration.feet);
   set_places(track.cloud, target_.proxy, track.vertices);
 }
 
 void Refinement::look_at_overlap(Track& track) const {
   track.cloud.inside =
       inside_after(track.cloud, track.deformation.neighbours(), track.registration, options_);
-  const double area = left_out(track.cloud, track.cloud.inside, *track.judged.source, target_);
+}
+
+/// Prices what is left out of both shapes.
+void Refinement::weigh_left_out(Track& track) const {
+  if (!options_.parts) return;
+  const Pyramid& source = *track.judged.source;
+  const std::vector<int> nearest = nearest_nodes(track);
+  const std::vector<bool> covered = covered_target(track, nearest);
+  double contradicted = 0;
+  for (int i = 0; i < track.target->size(); ++i) {
+    const int node = nearest[i];
+    const Point& place = track.target->graph.cloud.positions[i];
+    if (covered[i] ||
+        source.proxy.to_boundary[source.proxy.nodes[node]] < options_.partial.rim_width ||
+        (track.deformation.positions()[node] - place).norm() > options_.partial.contradiction_range)
+      continue;
+    contradicted += track.target->graph.cloud.areas[i];
+  }
+  const double area = left_out(track.cloud, track.cloud.inside, track.registration, source, target_,
+                               options_.partial) +
+                      options_.partial.contradiction_price * contradicted;
   track.energy_left_out = options_.partial.energy_price * area;
   track.distance_left_out = options_.partial.distance_price * area;
 }

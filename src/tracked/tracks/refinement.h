@@ -26,10 +26,12 @@ struct Track {
   elastic::Registration registration;
   /// More than 1 for mirror images, see `Options::mirror_price`.
   double price = 1;
-  /// What is left out, as elastic energy and as distance.
+  /// What is left out on both sides, as elastic energy and as distance.
   double energy_left_out = 0, distance_left_out = 0;
   /// The parts that overlapped when it was last looked at; none where nothing is missing.
   std::shared_ptr<const Overlap> overlap = nullptr;
+  /// Whether the nodes are somewhere yet.
+  bool placed = false;
 
   /// How badly the surfaces fit, to be compared on one level. The energy of the fine registration
   /// is large where a map is torn, the distance where it leaves bulges of the target uncovered.
@@ -51,9 +53,10 @@ class Refinement {
   /// The track after the remaining rounds, on the fine level.
   Track finish(const Track& middle) const;
   /// The last rounds of a track on the fine level, `first` and later ones, that begins at
-  /// `vertices`; `inside` are the nodes that have a counterpart.
+  /// `vertices`, or, if it is a motion in space, at `positions`; `inside` are the nodes that have a
+  /// counterpart.
   Track fine_rounds(const Judged& judged, std::vector<int> vertices, std::vector<bool> inside,
-                    int first) const;
+                    int first, std::vector<Point> positions = {}) const;
   /// A last registration of a track on the fine level, close to `anchors`.
   void settle(Track& track, std::span<const Point> anchors) const;
   /// For each target node the nearest node of the deformed source.
@@ -67,12 +70,16 @@ class Refinement {
               std::vector<int> vertices, std::vector<bool> inside) const;
   Track registered(const Judged& judged, const Level& source, const Level& target) const;
   void mend(Track& track) const;
+  void extend(Track& track) const;
   std::vector<int> spectral_step(Track& track, const Level& wanted, int round) const;
+  static std::vector<Point> carried(const Track& track, const Level& wanted);
   std::vector<int> overlap_step(Track& track, const Level& wanted, int round) const;
   std::shared_ptr<const Overlap> overlap_of(const Track& track, const std::vector<int>& nearest,
                                             int functions) const;
   void look_at_overlap(Track& track) const;
+  void weigh_left_out(Track& track) const;
   static bool is_fine(const Track& track);
+  const elastic::Projection& surface_of(const Track& track) const;
   void run_round(Track& track, int round) const;
   void advance(Track& track, const elastic::Projection& onto,
                const elastic::RegistrationOptions& step) const;
@@ -84,7 +91,7 @@ class Refinement {
   const Pyramid& target_;
   const Options& options_;
   Context context_;
-  elastic::Projection early_surface_, middle_surface_, fine_surface_;
+  elastic::Projection early_surface_, middle_surface_, fine_surface_, posed_surface_;
 };
 
 /// Root mean square distance between the images of the nodes, on one level.

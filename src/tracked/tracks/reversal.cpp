@@ -49,8 +49,9 @@ std::vector<Point> places_below(const Level& nodes, const Proxy& source, const P
 void settle_with_reverse(Track& track, const Refinement& refinement, const Pyramid& target,
                          const Options& options, const Context& context) {
   const Track reverse = reverse_track(track, refinement, target, reversed(options), context);
-  std::vector<Point> anchors = places_below(*track.source, track.judged.source->proxy, target.proxy,
-                                            reverse, options.fine_projection);
+  std::vector<Point> anchors =
+      places_below(*track.source, track.judged.source->proxy, target.proxy, reverse,
+                   options.last_projection(track.judged.hypothesis.pose.has_value()));
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     if (!track.cloud.is_inside(static_cast<int>(i))) {
       anchors[i] = track.deformation.positions()[i];

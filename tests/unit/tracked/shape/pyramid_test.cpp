@@ -34,7 +34,7 @@ TEST_F(PyramidTest, IsMadeOnceAndKept) {
   EXPECT_EQ(pyramid_of(shape_, {}, kSmall, {}), first);
   const auto image = pyramid_of(shape_, {.mirrored = true}, kSmall, {});
   EXPECT_NE(image, first);
-  EXPECT_TRUE(image->mirrored);
+  EXPECT_TRUE(image->view.mirrored);
   PyramidOptions other = kSmall;
   other.functions = 10;
   EXPECT_NE(pyramid_of(shape_, {}, other, {}), first);
