@@ -88,8 +88,12 @@ void for_each_option(Options& options, const Visitor& visit) {
 
 template <OptionsOf<TrackedOptions> Options, class Visitor>
 void for_each_option(Options& options, const Visitor& visit) {
-  auto& [allow_reflection, orientation, elastic_judging, refinement, alternatives, landmarks] =
-      options;
+  auto& [whole, scale, allow_reflection, orientation, elastic_judging, refinement, alternatives,
+         landmarks] = options;
+  visit("whole", whole, "nothing of the shapes is missing, whatever their boundaries");
+  visit(
+      "scale", scale,
+      "what makes sizes alike: same (units), area, or auto: area of whole shapes, units of parts");
   visit("allow_reflection", allow_reflection,
         "try to match the mirror image of the source as well");
   visit("orientation", orientation,

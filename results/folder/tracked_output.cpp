@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "isomatch/io/map_file.h"
+#include "isomatch/io/values_io.h"
 #include "isomatch/mesh/topology.h"
 #include "results/folder/report.h"
 
@@ -25,6 +26,12 @@ void write_points(ResultFolder& folder, const std::string& stem, const VertexMap
   isomatch::write_map(folder.add(stem + ".bary.txt"), {.points = points});
 }
 
+void write_confidence(ResultFolder& folder, const std::string& name,
+                      const std::vector<float>& confidence) {
+  const Eigen::Map<const Eigen::VectorXf> values(confidence.data(), std::ssize(confidence));
+  write_values(folder.add(name), values.cast<double>());
+}
+
 std::string alternative_folder(std::size_t number) {
   return fmt::format("alternatives/{}", number);
 }
@@ -38,6 +45,9 @@ void write_map(ResultFolder& folder, const TrackedRun& run, std::size_t k) {
     const SurfaceMap& inverse = run.result.maps[k].target_to_source;
     write_points(folder, place + "target_to_source", nearest_vertices(source, inverse), inverse);
   }
+  write_confidence(folder, place + "source_confidence.txt", run.result.maps[k].source_confidence);
+  if (run.target_to_source)
+    write_confidence(folder, place + "target_confidence.txt", run.result.maps[k].target_confidence);
   write_mesh(folder.add(place + "registered.ply"), {map.registered, source.faces});
 }
 
@@ -45,6 +55,15 @@ Json map_json(const TrackedMap& map) {
   return {{"energy", map.energy},           {"distance", map.distance},
           {"deviation", map.deviation},     {"distortion", map.distortion},
           {"orientation", map.orientation}, {"mirrored", map.mirrored}};
+}
+
+Json view_json(const PairView& view) {
+  const auto word = [](bool is_part) { return is_part ? "part" : "whole"; };
+  return {{"source", word(view.source_is_part)},
+          {"target", word(view.target_is_part)},
+          {"scale", view.scale},
+          {"source_unit", view.source_unit},
+          {"target_unit", view.target_unit}};
 }
 
 Json alternatives_json(const TrackedRun& run) {
@@ -91,6 +110,7 @@ Json report_json(const TrackedRun& run, std::size_t num_matches,
                  {"fit", to_json(run.fits.front())},
                  {"ambiguity", result.ambiguity},
                  {"ambiguous", is_ambiguous(result)},
+                 {"taken_for", view_json(result.taken_for)},
                  {"oriented", result.oriented},
                  {"contradicted_landmarks", landmarks_json(run.result.contradicted_landmarks)},
                  {"alternatives", alternatives_json(run)},
@@ -108,6 +128,8 @@ std::vector<std::string> tracked_files(int alternatives, bool target_to_source) 
   for (int k = 0; k <= std::min(alternatives, kMostAlternatives); ++k) {
     const std::string place = k == 0 ? "" : alternative_folder(k) + "/";
     files.push_back(place + "registered.ply");
+    files.push_back(place + "source_confidence.txt");
+    if (target_to_source) files.push_back(place + "target_confidence.txt");
     for (const char* map : {"source_to_target", "target_to_source"}) {
       if (map[0] == 't' && !target_to_source) continue;
       for (const char* ending : {".txt", ".bary.txt"}) files.push_back(place + map + ending);

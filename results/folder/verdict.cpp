@@ -30,6 +30,13 @@ Fit fit_of(const MatchInputs& inputs, const Map& map, const FitOptions& options,
   return fit;
 }
 
+/// How many times as long a unit of the source's is on the target, both being of unit area.
+double scale_between(const MatchInputs& inputs, const PairView& view) {
+  const double source = std::sqrt(inputs.source.shape.area()) / view.source_unit,
+               target = std::sqrt(inputs.target.shape.area()) / view.target_unit;
+  return source / target;
+}
+
 /// Says so of an alternative that fits worse than the best map by more than right maps differ.
 void compare(const TrackedMap& best, const TrackedMap& alternative, Fit& fit) {
   constexpr double kWorse = 1.5;
@@ -42,9 +49,14 @@ void compare(const TrackedMap& best, const TrackedMap& alternative, Fit& fit) {
 std::vector<Fit> fits_of(const MatchInputs& inputs, TrackedResult& result, const Context& context) {
   context.report(kMatched, kStage);
   const StageTimer timer(result.times, kStage);
+  const PairView& view = result.taken_for;
   std::vector<Fit> fits;
   for (const TrackedMap& map : result.maps) {
-    fits.push_back(fit_of(inputs, map.source_to_target, {map.mirrored}, context));
+    fits.push_back(fit_of(inputs, map.source_to_target,
+                          {.parts = view.source_is_part || view.target_is_part,
+                           .scale = scale_between(inputs, view),
+                           .mirrored = map.mirrored},
+                          context));
     compare(result.maps.front(), map, fits.back());
     if (!result.contradicted_landmarks.empty())
       doubt(fits.back(), "landmarks contradict the shapes");

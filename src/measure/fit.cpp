@@ -65,15 +65,18 @@ Fit judged(FitMeasures measures, const FitOptions& options) {
   judge.consider(measures.distorted, kDistortedLimits,
                  percent(measures.distorted) +
                      " of the source is torn or squeezed: distances there change by half and more");
-  judge.consider(measures.displacement, kDisplacementLimits,
-                 "a part ends elsewhere, or has no counterpart: its distances from all the rest "
-                 "change");
+  if (!options.parts)
+    judge.consider(measures.displacement, kDisplacementLimits,
+                   "a part ends elsewhere, or has no counterpart: its distances from all the rest "
+                   "change");
   judge.consider(1 - measures.relief, kUnreliefLimits,
                  "bumps and hollows do not agree, as if front and back were exchanged");
-  judge.consider(measures.unreached, kUnreachedLimits,
-                 percent(measures.unreached) + " of the target is not reached");
-  judge.consider(measures.unmatched, kUnmatchedLimits,
-                 percent(measures.unmatched) + " of the source is not matched");
+  if (!options.parts) {
+    judge.consider(measures.unreached, kUnreachedLimits,
+                   percent(measures.unreached) + " of the target is not reached");
+    judge.consider(measures.unmatched, kUnmatchedLimits,
+                   percent(measures.unmatched) + " of the source is not matched");
+  }
   judge.consider(measures.reversed, kReversedLimits, describe_reversal(measures.reversed));
   judge.consider(measures.stretch, kStretchLimits,
                  fmt::format("distances between neighbours change by {:.0f} % on average",
@@ -105,14 +108,14 @@ std::string_view to_string(FitGrade grade) {
 Fit judge_fit(const Shape& source, const Shape& target, const SurfaceMap& source_to_target,
               const FitOptions& options, const Context& context) {
   const OnSurface<VertexMap> map = nearest_surface_vertices(source, target, source_to_target);
-  return judged(measure_fit(source, target, map, context), options);
+  return judged(measure_fit(source, target, map, options.scale, context), options);
 }
 
 Fit judge_fit(const Shape& source, const Shape& target, const VertexMap& source_to_target,
               const FitOptions& options, const Context& context) {
   const OnSurface<VertexMap> map =
       on_surfaces(*source.prepared().surface(), *target.prepared().surface(), source_to_target);
-  return judged(measure_fit(source, target, map, context), options);
+  return judged(measure_fit(source, target, map, options.scale, context), options);
 }
 
 }  // namespace isomatch

@@ -114,9 +114,10 @@ Images spread(const Images& images, const Side& source, const Context& context) 
 
 /// `near` are the distances between the samples on the source that are within reach.
 void measure_stretch(const Side& target, const Images& samples, const std::vector<float>& near,
-                     const Context& context, FitMeasures& measures) {
-  const std::vector<double> stretch = stretch_around(
-      near, distances_between(target, samples.targets, kFar, context), samples.vertices.size());
+                     double scale, const Context& context, FitMeasures& measures) {
+  std::vector<float> images = distances_between(target, samples.targets, kFar, context);
+  for (float& distance : images) distance /= static_cast<float>(scale);
+  const std::vector<double> stretch = stretch_around(near, images, samples.vertices.size());
   const auto count = static_cast<double>(stretch.size());
   measures.stretch = std::accumulate(stretch.begin(), stretch.end(), 0.0) / count;
   const auto is_distorted = [](double s) { return s > std::numbers::ln2; };
@@ -241,14 +242,14 @@ double reversed_share(const Side& source, const Side& target, const Images& samp
 }  // namespace
 
 FitMeasures measure_fit(const Shape& source, const Shape& target, const OnSurface<VertexMap>& map,
-                        const Context& context) {
+                        double scale, const Context& context) {
   const Side from = side_of(source, context), onto = side_of(target, context);
   const Images images = images_of(map);
   if (images.vertices.empty()) return {.unreached = 1, .unmatched = 1, .reversed = -1};
   FitMeasures measures;
   const Images samples = spread(images, from, context);
   const std::vector<float> near = distances_between(from, samples.vertices, kReach, context);
-  measure_stretch(onto, samples, near, context, measures);
+  measure_stretch(onto, samples, near, scale, context, measures);
   measures.displacement = displacement(from, onto, samples, context);
   measures.relief = relief_agreement(from, onto, samples, context);
   // Of sparse maps and coarse meshes even neighbours are farther apart.

@@ -7,8 +7,8 @@
 
 namespace isomatch {
 
-/// Of a map to vertices. O(N log N).
+/// Of a map to vertices; `scale` as in `FitOptions`. O(N log N).
 FitMeasures measure_fit(const Shape& source, const Shape& target, const OnSurface<VertexMap>& map,
-                        const Context& context);
+                        double scale, const Context& context);
 
 }  // namespace isomatch

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "geometry/kd_tree.h"
+#include "geometry/rotation.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
 
@@ -105,14 +107,17 @@ Correspondence to_input(const Surface& source, const Surface& target,
   return result;
 }
 
+SurfacePoint to_input(const Surface& target, const SurfacePoint& point) {
+  return turned(point, target.input_face[point.face], target.turned[point.face]);
+}
+
 SurfaceMap to_input(const Surface& source, const Surface& target, const SurfacePoints& map) {
   SurfaceMap result(source.surface_vertex.size());
   for (std::size_t v = 0; v < result.size(); ++v) {
     const int vertex = source.surface_vertex[v];
     if (vertex == kNoVertex) continue;
     const SurfacePoint& point = (*map)[vertex];
-    if (point.face != kNoFace)
-      result[v] = turned(point, target.input_face[point.face], target.turned[point.face]);
+    if (point.face != kNoFace) result[v] = to_input(target, point);
   }
   return result;
 }
@@ -123,6 +128,25 @@ std::vector<int> to_input(const Surface& surface, const SurfaceVertices& vertice
     result.push_back(vertex == kUnmatched ? kUnmatched : surface.input_vertex[vertex]);
   return result;
 }
+
+namespace {
+
+/// Where a place goes with the vertices of the surface around it: as they are turned, from the
+/// nearest of them.
+Point led(const Point& place, const Mesh& input, const Surface& surface, const KdTree<3>& tree,
+          const std::vector<Point>& positions) {
+  std::array<int, 16> leaders{};
+  const std::size_t count = tree.nearest((place - surface.centre) / surface.scale, leaders);
+  std::vector<Point> before, after;
+  for (std::size_t k = 0; k < count; ++k) {
+    before.push_back(input.vertices[surface.input_vertex[leaders[k]]]);
+    after.push_back(positions[leaders[k]]);
+  }
+  if (before.empty()) return place;
+  return after.front() + best_rotation(before, after) * (place - before.front());
+}
+
+}  // namespace
 
 std::vector<Point> at_input(const Mesh& input, const Surface& surface,
                             const std::vector<Point>& positions) {
@@ -136,8 +160,7 @@ std::vector<Point> at_input(const Mesh& input, const Surface& surface,
     }
     const Point& place = input.vertices[v];
     if (!tree) tree.emplace(surface.mesh.vertices);
-    const int leader = tree->nearest((place - surface.centre) / surface.scale);
-    result.emplace_back(place + positions[leader] - input.vertices[surface.input_vertex[leader]]);
+    result.push_back(led(place, input, surface, *tree, positions));
   }
   return result;
 }

@@ -60,6 +60,8 @@ SurfaceVertices on_surface(const Surface& surface, std::span<const int> vertices
 /// All copies at seams, sorted.
 Correspondence to_input(const Surface& source, const Surface& target,
                         const SurfaceMatches& matches);
+/// A point of the target.
+SurfacePoint to_input(const Surface& target, const SurfacePoint& point);
 /// Vertices that are not part of the source's surface have no point.
 SurfaceMap to_input(const Surface& source, const Surface& target, const SurfacePoints& map);
 /// The lowest copies.
@@ -78,7 +80,7 @@ std::vector<Value> at_input(const Surface& surface, const std::vector<Value>& va
 
 /// `input` after its surface moved: `positions` holds where each vertex of the surface is now, in
 /// whatever coordinates. Vertices that are not part of the surface follow the surface vertex that
-/// was nearest to them, by the same displacement.
+/// was nearest to them, turned as those around it are.
 std::vector<Point> at_input(const Mesh& input, const Surface& surface,
                             const std::vector<Point>& positions);
 

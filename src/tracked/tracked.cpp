@@ -19,6 +19,7 @@
 #include "tracked/match.h"
 #include "tracked/tracks/dense_map.h"
 #include "tracked/tracks/finals.h"
+#include "tracked/tracks/followers.h"
 
 namespace isomatch {
 namespace {
@@ -66,6 +67,7 @@ constexpr double kHypothesesBegin = 0.28, kRefinementBegin = 0.6, kDenseMapBegin
 /// How a pair looks at its shapes.
 struct Views {
   View source, target;
+  std::string scale;
 
   bool parts() const { return source.open || target.open; }
 };
@@ -74,16 +76,31 @@ bool is_open(const Surface& surface, const PartialOptions& options) {
   return boundary_length(surface.mesh) > options.open_boundary;
 }
 
-/// Parts are as large as they are, whole shapes alike.
-Views views_of(const Surface& source, const Surface& target, const PartialOptions& options) {
+/// "same" or "area".
+std::string chosen_scale(const Surface& source, const Surface& target, bool parts,
+                         const std::string& wanted) {
+  constexpr double kSameUnits = 4;  // What is more times as large is in other units.
+  if (wanted != "auto") return wanted;
+  const auto [less, more] = std::minmax(source.scale, target.scale);
+  return parts && more <= kSameUnits * less ? "same" : "area";
+}
+
+Views views_of(const Surface& source, const Surface& target, const TrackedOptions& wanted,
+               const PartialOptions& options) {
   Views views;
-  views.source.open = is_open(source, options);
-  views.target.open = is_open(target, options);
-  if (!views.parts()) return views;
+  views.source.open = !wanted.whole && is_open(source, options);
+  views.target.open = !wanted.whole && is_open(target, options);
+  views.scale = chosen_scale(source, target, views.parts(), wanted.scale);
+  if (views.scale == "area") return views;
   const double unit = std::max(source.scale, target.scale);
   views.source.size = source.scale / unit;
   views.target.size = target.scale / unit;
   return views;
+}
+
+PairView taken_for(const Views& views, const Surface& source, const Surface& target) {
+  return {views.source.open, views.target.open, views.scale, source.scale / views.source.size,
+          target.scale / views.target.size};
 }
 
 Options for_parts(Options options) {
@@ -139,15 +156,20 @@ Candidates all_judged(const Pyramids& pyramids, const Options& options, const Co
 
 /// In the caller's numbers and coordinates.
 TrackedMap tracked_map(const Shape& source, const Shape& target, const Track& track, DenseMap dense,
-                       double unit) {
+                       double unit, double reach) {
   const Surface& from = *source.prepared().surface();
   const Surface& onto = *target.prepared().surface();
   // A mirror image has its faces turned the other way.
   const Surface& tracked = *track.judged.source->surface;
   for (Point& p : dense.registered) p = p * unit + onto.centre;
-  return {.source_to_target = to_input(from, onto, dense.source_to_target),
+  std::vector<Point> registered = at_input(source.mesh(), from, dense.registered);
+  SurfaceMap source_to_target = to_input(from, onto, dense.source_to_target);
+  match_followers(source.mesh(), from, onto, registered, reach * unit, source_to_target);
+  return {.source_to_target = std::move(source_to_target),
           .target_to_source = to_input(onto, tracked, dense.target_to_source),
-          .registered = at_input(source.mesh(), from, dense.registered),
+          .source_confidence = at_input(from, dense.source_confidence, 0.0F),
+          .target_confidence = at_input(onto, dense.target_confidence, 0.0F),
+          .registered = std::move(registered),
           .energy = track.registration.energy,
           .distance = track.registration.distance,
           .deviation = track.registration.deviation,
@@ -163,7 +185,7 @@ std::vector<TrackedMap> dense_maps(const Shape& source, const Shape& target,
   std::vector<TrackedMap> maps;
   for (const Track& track : tracks) {
     maps.push_back(tracked_map(source, target, track, dense_map(track, pyramid, options, context),
-                               pyramid.surface->scale));
+                               pyramid.surface->scale, options.partial.reach));
     steps.take();
   }
   return maps;
@@ -190,6 +212,8 @@ Options tracked::options_of(const TrackedOptions& options) {
 
 void TrackedOptions::validate() const {
   if (alternatives < 0) throw InvalidInput("alternatives must not be negative");
+  if (scale != "auto" && scale != "same" && scale != "area")
+    throw InvalidInput(fmt::format("scale: expected auto, same or area, not {}", scale));
 }
 
 void check_landmarks(const Shape& source, const Shape& target, const Correspondence& landmarks) {
@@ -215,7 +239,8 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
     const StageTimer timer(result.times, stage);
     return work(part_of(context, begin, end));
   };
-  const Views views = views_of(from, onto, options.partial);
+  const Views views = views_of(from, onto, tracked_options, options.partial);
+  result.taken_for = taken_for(views, from, onto);
   if (views.parts()) options = for_parts(options);
   const Pyramids pyramids = timed("shapes", 0, kHypothesesBegin, [&](const Context& part) {
     return make_pyramids(source, target, views, tracked_options.allow_reflection, options.pyramid,

@@ -87,6 +87,17 @@ Method add_tracked_method(CLI::App& command, const std::string& group) {
   const auto tracked = std::make_shared<TrackedArguments>();
   TrackedOptions& options = tracked->options;
   command
+      .add_flag("--whole", options.whole,
+                "Nothing of the shapes is missing, whatever their boundaries: match everything")
+      ->group(group);
+  command
+      .add_option("--scale", options.scale,
+                  "What makes sizes alike: same units, the same area, or auto: the area of whole "
+                  "shapes, the units of parts")
+      ->check(CLI::IsMember({"auto", "same", "area"}))
+      ->group(group)
+      ->capture_default_str();
+  command
       .add_flag("--allow-reflection", options.allow_reflection,
                 "Try to match the mirror image of the source as well")
       ->group(group);

@@ -49,6 +49,11 @@ struct Fit {
 };
 
 struct FitOptions {
+  /// Whether something of the shapes may be missing: then what is not matched or not reached does
+  /// not count, nor do distances that lead around what is missing.
+  bool parts = false;
+  /// How many times as long a unit of the source's is on the target, both being of unit area.
+  double scale = 1;
   /// Whether the map is meant to lead from the mirror image of the source, see
   /// `TrackedOptions::allow_reflection`, so that turning the surface over is right.
   bool mirrored = false;

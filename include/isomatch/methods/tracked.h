@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "isomatch/context.h"
@@ -13,6 +14,14 @@
 namespace isomatch {
 
 struct TrackedOptions {
+  /// Nothing of the shapes is missing. Otherwise a shape whose boundary is long (half of sqrt(area)
+  /// and more) is taken for a part: what is beyond its boundary may be on the other shape, and what
+  /// has no counterpart gets none.
+  bool whole = false;
+  /// What makes the sizes of the shapes alike: "same", that both are in the same units; "area",
+  /// that both have the same area; "auto": the latter where nothing is missing; otherwise the
+  /// former, unless they then differ by more than four times.
+  std::string scale = "auto";
   /// Try to match the mirror image of the source as well.
   bool allow_reflection = false;
   /// Let orientation guide the growth of hypotheses.
@@ -30,13 +39,20 @@ struct TrackedOptions {
   void validate() const;
 };
 
-/// One of the maps that were tracked. Lengths and energies refer to surfaces of unit area.
+/// One of the maps that were tracked. Lengths and energies are in the unit of the pair: sqrt(area),
+/// of parts that of the larger one, see `PairView`.
 struct TrackedMap {
-  /// A point on the target for every source vertex that is part of the surface, and the other way
-  /// round.
+  /// A point on the target for every source vertex that has a counterpart, and the other way round.
+  /// Where nothing is missing these are all that are part of the surface.
   SurfaceMap source_to_target, target_to_source;
-  /// The source's vertices after registration, in the target's coordinates. Vertices that are not
-  /// part of the surface follow the nearest one that is.
+  /// How sure the point of each source and of each target vertex is, in [0, 1], 0 where there is
+  /// none: of those with .9 nine in ten are within .05 of the truth, in the unit of the pair
+  /// (docs/results/partial.md). What has a near twin may be sure and wrong all the same, see
+  /// `TrackedResult::ambiguity`.
+  std::vector<float> source_confidence, target_confidence;
+  /// The source's vertices after registration, in the target's coordinates, those without a
+  /// counterpart as what is around them moves. Vertices that are not part of the surface follow the
+  /// nearest ones that are.
   std::vector<Point> registered;
   /// As-rigid-as-possible energy of the registration by which maps are ranked, before the last
   /// one; the less, the better.
@@ -52,6 +68,16 @@ struct TrackedMap {
 
   /// How badly the shapes fit under it, by which the finalists are ranked.
   double cost() const { return energy * distance; }
+};
+
+/// What the shapes of a pair were taken for.
+struct PairView {
+  /// Whether something may be missing beyond the boundary of each.
+  bool source_is_part = false, target_is_part = false;
+  /// "same" or "area", see `TrackedOptions::scale`.
+  std::string scale = "area";
+  /// The unit of length of a pair, in units of the source's and of the target's mesh.
+  double source_unit = 1, target_unit = 1;
 };
 
 /// What became of a hypothesis.
@@ -74,6 +100,7 @@ struct TrackedResult {
   /// Those of the landmarks that a map which fits far better does not satisfy. They are kept all
   /// the same, in every map.
   Correspondence contradicted_landmarks;
+  PairView taken_for;
   /// Whether both surfaces tell outside from inside, so that mirrored maps could be excluded.
   bool oriented = false;
   std::vector<StageTime> times;

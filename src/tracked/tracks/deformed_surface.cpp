@@ -22,24 +22,28 @@ std::vector<int> nearest_nodes(const Pyramid& pyramid, int nodes) {
 class Blend {
  public:
   Blend(const elastic::Deformation& deformation, const elastic::PointCloud& nodes)
-      : deformation_(deformation), nodes_(nodes) {
+      : deformation_(deformation), nodes_(nodes), energies_(deformation.energies()) {
     for (const auto& rotation : deformation.rotations())
       rotations_.push_back(rotation.toRotationMatrix());
   }
 
-  /// Moves a point along with the nodes; how much of these is inside.
-  double move(int nearest, Point& position, Point& normal) const {
-    Point moved(0, 0, 0), turned(0, 0, 0);
-    double inside = 0;
+  /// What becomes of a point, and of the nodes around it.
+  struct Moved {
+    Point position{0, 0, 0}, normal{0, 0, 0};
+    double inside = 0, strain = 0;
+  };
+
+  Moved move(int nearest, const Point& position, const Point& normal) const {
+    Moved moved;
     for (const auto& [node, weight] : shares(nearest, position)) {
-      if (nodes_.is_inside(node)) inside += weight;
       const Point offset = position - deformation_.rest()[node];
-      moved += weight * (rotations_[node] * offset + deformation_.positions()[node]);
-      turned += weight * (rotations_[node] * normal);
+      moved.position += weight * (rotations_[node] * offset + deformation_.positions()[node]);
+      moved.normal += weight * (rotations_[node] * normal);
+      if (nodes_.is_inside(node)) moved.inside += weight;
+      moved.strain += weight * energies_[node] / nodes_.areas[node];
     }
-    position = moved;
-    normal = turned.normalized();
-    return inside;
+    moved.normal.normalize();
+    return moved;
   }
 
   std::array<double, elastic::kPlaces> place(int nearest, const Point& position) const {
@@ -68,24 +72,37 @@ class Blend {
 
   const elastic::Deformation& deformation_;
   const elastic::PointCloud& nodes_;
+  std::vector<double> energies_;
   std::vector<Eigen::Matrix3d> rotations_;
 };
 
+void move(const Blend& blend, int nearest, std::size_t v, DeformedSurface& surface) {
+  const Blend::Moved moved = blend.move(nearest, surface.positions[v], surface.normals[v]);
+  surface.positions[v] = moved.position;
+  surface.normals[v] = moved.normal;
+  surface.inside[v] = moved.inside;
+  surface.strain[v] = moved.strain;
+}
+
 }  // namespace
+
+DeformedSurface at_rest(std::vector<Point> positions, std::vector<Point> normals,
+                        std::vector<elastic::Features> features) {
+  const std::size_t count = positions.size();
+  return {std::move(positions), std::move(normals), std::move(features),
+          std::vector<double>(count, 1.0), std::vector<double>(count, 0.0)};
+}
 
 DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformation& deformation,
                                  const elastic::PointCloud& nodes, const Context& context) {
   const std::vector<int> nearest = nearest_nodes(pyramid, deformation.size());
   const Blend blend(deformation, nodes);
-  DeformedSurface result{pyramid.surface->mesh.vertices, pyramid.surface->normals,
-                         pyramid.detail.features,
-                         std::vector<double>(pyramid.surface->mesh.vertices.size())};
+  DeformedSurface result =
+      at_rest(pyramid.surface->mesh.vertices, pyramid.surface->normals, pyramid.detail.features);
   for (std::size_t d = 0; d < nearest.size(); ++d)
     result.features[d].place = blend.place(nearest[d], pyramid.detail.mesh.vertices[d]);
-  parallel_for(std::ssize(result.positions), context, [&](std::ptrdiff_t v) {
-    result.inside[v] =
-        blend.move(nearest[pyramid.anchors[v]], result.positions[v], result.normals[v]);
-  });
+  parallel_for(std::ssize(result.positions), context,
+               [&](std::ptrdiff_t v) { move(blend, nearest[pyramid.anchors[v]], v, result); });
   return result;
 }
 
@@ -94,11 +111,10 @@ DeformedSurface deformed_surface(const Proxy& proxy, const elastic::Deformation&
   const auto sources = std::span(proxy.nodes).first(deformation.size());
   const std::vector<int> nearest = GeodesicSearch(*proxy.graph).nearest_source(sources).nearest;
   const Blend blend(deformation, nodes);
-  DeformedSurface result{proxy.mesh.vertices, proxy.normals, proxy.features,
-                         std::vector<double>(proxy.mesh.vertices.size())};
+  DeformedSurface result = at_rest(proxy.mesh.vertices, proxy.normals, proxy.features);
   for (std::size_t v = 0; v < nearest.size(); ++v) {
     result.features[v].place = blend.place(nearest[v], result.positions[v]);
-    result.inside[v] = blend.move(nearest[v], result.positions[v], result.normals[v]);
+    move(blend, nearest[v], v, result);
   }
   return result;
 }

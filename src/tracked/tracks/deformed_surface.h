@@ -17,7 +17,13 @@ struct DeformedSurface {
   std::vector<elastic::Features> features;
   /// Of the vertices, how much of what is around them has a counterpart, in [0, 1].
   std::vector<double> inside;
+  /// Of the vertices, elastic energy over area.
+  std::vector<double> strain;
 };
+
+/// A surface that has not been deformed, all of which has a counterpart.
+DeformedSurface at_rest(std::vector<Point> positions, std::vector<Point> normals,
+                        std::vector<elastic::Features> features);
 
 /// Carries a deformation of the first nodes of a pyramid, and the places where they went, over to
 /// all vertices of its surface; features are those of the detail. O(N log N).

@@ -39,6 +39,8 @@ std::vector<int> closest_details(const Side& from, const Side& onto,
   return closest;
 }
 
+constexpr double kBias = -6, kDistance = -0.5, kStrain = -0.5, kInside = 1, kWhole = -0.5;
+
 /// Whether a vertex has a counterpart at a point that is closest to it: what is around both has
 /// one, and it is not the rim that is closest to what lies beyond.
 bool has_counterpart(const Side& from, const Side& onto, const Mesh& mesh, int vertex,
@@ -73,6 +75,34 @@ SurfacePoints project(const Side& from, const Side& onto, const elastic::Project
   return SurfacePoints(std::move(map));
 }
 
+/// How sure points are. Logistic in how far the surfaces are apart there, how much the source is
+/// strained, how much around it has a counterpart, and how well the whole fits; fitted to the
+/// matches of every second development pair by bench/tables/confidence.py.
+std::vector<float> confidence(const Side& from, const Side& onto, const SurfacePoints& map,
+                              const Track& track) {
+  const Mesh goal{onto.deformed.positions, onto.pyramid.surface->mesh.faces};
+  std::vector<float> result(map->size(), 0.0F);
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    const SurfacePoint& point = (*map)[v];
+    if (point.face == kNoFace) continue;
+    double strain = from.deformed.strain[v], inside = from.deformed.inside[v];
+    const Face& face = goal.faces[point.face];
+    double onto_inside = 0;
+    for (int k = 0; k < 3; ++k) {
+      strain += point.weights[k] * onto.deformed.strain[face[k]];
+      onto_inside += point.weights[k] * onto.deformed.inside[face[k]];
+    }
+    const double distance = (position(goal, point) - from.deformed.positions[v]).norm();
+    const double evidence =
+        kBias + kDistance * std::log(distance + 0.001) + kStrain * std::log(strain + 0.01) +
+        kInside * std::min(inside, onto_inside) +
+        kWhole * std::log((track.registration.energy + track.energy_left_out) *
+                          (track.registration.distance + track.distance_left_out));
+    result[v] = static_cast<float>(1 / (1 + std::exp(-evidence)));
+  }
+  return result;
+}
+
 /// Moves what is near a landmark along with it, so that the landmark arrives.
 void bend_to_landmarks(const Pyramid& source, const Pyramid& target,
                        const SurfaceMatches& landmarks, double reach, DeformedSurface& deformed) {
@@ -96,13 +126,18 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
   const Surface& goal = *target.surface;
   DeformedSurface deformed = deformed_surface(source, track.deformation, track.cloud, context);
   bend_to_landmarks(source, target, options.landmarks, options.landmark_reach, deformed);
-  const DeformedSurface rest{goal.mesh.vertices, goal.normals, target.detail.features,
-                             std::vector<double>(goal.mesh.vertices.size(), 1.0)};
+  const DeformedSurface rest = at_rest(goal.mesh.vertices, goal.normals, target.detail.features);
   const Side from{source, deformed}, onto{target, rest};
   const elastic::ProjectionWeights& weights =
       options.last_projection(track.judged.hypothesis.pose.has_value());
   DenseMap map{project(from, onto, weights, options, context),
-               project(onto, from, weights, options, context), std::move(deformed.positions)};
+               project(onto, from, weights, options, context),
+               {},
+               {},
+               {}};
+  map.source_confidence = confidence(from, onto, map.source_to_target, track);
+  map.target_confidence = confidence(onto, from, map.target_to_source, track);
+  map.registered = std::move(deformed.positions);
   for (const Match& match : *options.landmarks)
     (*map.source_to_target)[match.source] =
         closest_point_around(goal.mesh, goal.faces, match.target, goal.mesh.vertices[match.target]);

@@ -10,6 +10,8 @@ namespace isomatch::tracked {
 /// A map between all vertices of two surfaces.
 struct DenseMap {
   SurfacePoints source_to_target, target_to_source;
+  /// Of the vertices of both surfaces, 0 where they have no counterpart.
+  std::vector<float> source_confidence, target_confidence;
   /// The source's vertices after registration.
   std::vector<Point> registered;
 };
