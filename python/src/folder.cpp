@@ -12,6 +12,7 @@
 #include "bindings.h"
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
+#include "isomatch/io/values_io.h"
 #include "isomatch/mesh/topology.h"
 #include "results/files/written_files.h"
 #include "results/folder/levels.h"
@@ -83,6 +84,17 @@ std::vector<Point> registered_of(const MatchResult& folder, const results::Resul
   return map.registered;
 }
 
+/// Of the vertices of a shape; 0 where no file tells.
+std::vector<float> confidence_of(const MatchResult& folder, const results::ResultMap& map,
+                                 const std::string& side, const MatchInput& input) {
+  const std::string path =
+      folder.path((fs::path(map.folder) / (side + "_confidence.txt")).string());
+  if (!fs::exists(path)) return std::vector<float>(input.shape.num_vertices(), 0.0F);
+  const Eigen::VectorXf values =
+      read_values(path, input.shape.num_vertices()).col(0).cast<float>();
+  return {values.data(), values.data() + values.size()};
+}
+
 TrackedMap to_map(const MatchResult& folder, const results::MatchInputs& inputs, std::size_t number,
                   bool has_inverse) {
   const MatchInput &source = inputs.source, &target = inputs.target;
@@ -96,6 +108,8 @@ TrackedMap to_map(const MatchResult& folder, const results::MatchInputs& inputs,
     map.target_to_source = inverse_of(folder, source, target);
   else
     map.target_to_source.resize(target.shape.num_vertices());
+  map.source_confidence = confidence_of(folder, from, "source", source);
+  map.target_confidence = confidence_of(folder, from, "target", target);
   from_report(folder, [&](const Json& report) {
     const Json& figures = number == 0 ? report.at("map") : report.at("alternatives").at(number - 1);
     map.energy = figures.at("energy");
@@ -115,6 +129,9 @@ TrackedResult figures_of(const Json& report) {
                                  hypothesis.at("coarse_energy")});
   result.ambiguity = report.at("ambiguity");
   result.oriented = report.at("oriented");
+  if (const auto view = report.find("taken_for"); view != report.end())
+    result.taken_for = {view->at("source") == "part", view->at("target") == "part",
+                        view->at("scale"), view->at("source_unit"), view->at("target_unit")};
   result.times = times_of(report);
   return result;
 }

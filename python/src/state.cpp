@@ -51,15 +51,16 @@ SurfaceMap points(const py::handle& state) {
 }
 
 py::tuple to_state(const TrackedMap& map) {
-  const auto& [source_to_target, target_to_source, registered, energy, distance, deviation,
-               distortion, orientation, mirrored] = map;
+  const auto& [source_to_target, target_to_source, source_confidence, target_confidence, registered,
+               energy, distance, deviation, distortion, orientation, mirrored] = map;
   return py::make_tuple(to_arrays(source_to_target), to_arrays(target_to_source),
                         to_array(registered), energy, distance, deviation, distortion, orientation,
-                        mirrored);
+                        mirrored, adopt(std::vector(source_confidence)),
+                        adopt(std::vector(target_confidence)));
 }
 
 TrackedMap to_map(const results::MatchInputs& inputs, const py::tuple& state) {
-  check(state.size() == 9);
+  check(state.size() == 11);
   TrackedMap map;
   map.source_to_target = points(state[0]);
   map.target_to_source = points(state[1]);
@@ -70,24 +71,30 @@ TrackedMap to_map(const results::MatchInputs& inputs, const py::tuple& state) {
   map.distortion = state[6].cast<double>();
   map.orientation = state[7].cast<double>();
   map.mirrored = state[8].cast<bool>();
+  map.source_confidence = state[9].cast<std::vector<float>>();
+  map.target_confidence = state[10].cast<std::vector<float>>();
   check(std::cmp_equal(map.source_to_target.size(), inputs.source.shape.num_vertices()) &&
         std::cmp_equal(map.target_to_source.size(), inputs.target.shape.num_vertices()) &&
-        map.registered.size() == map.source_to_target.size());
+        map.registered.size() == map.source_to_target.size() &&
+        map.source_confidence.size() == map.source_to_target.size() &&
+        map.target_confidence.size() == map.target_to_source.size());
   return map;
 }
 
 py::tuple to_state(const TrackedResult& result) {
-  const auto& [maps, hypotheses, ambiguity, contradicted, oriented, times] = result;
+  const auto& [maps, hypotheses, ambiguity, contradicted, taken_for, oriented, times] = result;
+  const auto& [source_is_part, target_is_part, scale, source_unit, target_unit] = taken_for;
   py::list map_states, summaries;
   for (const TrackedMap& map : maps) map_states.append(to_state(map));
   for (const auto& [distortion, orientation, energy] : hypotheses)
     summaries.append(py::make_tuple(distortion, orientation, energy));
-  return py::make_tuple(map_states, summaries, ambiguity, to_array(contradicted), oriented,
-                        to_state(times));
+  return py::make_tuple(
+      map_states, summaries, ambiguity, to_array(contradicted), oriented, to_state(times),
+      py::make_tuple(source_is_part, target_is_part, scale, source_unit, target_unit));
 }
 
 TrackedResult to_tracked_result(const results::MatchInputs& inputs, const py::tuple& state) {
-  check(state.size() == 6);
+  check(state.size() == 7);
   TrackedResult result;
   for (const py::handle map : state[0])
     result.maps.push_back(to_map(inputs, map.cast<py::tuple>()));
@@ -98,6 +105,8 @@ TrackedResult to_tracked_result(const results::MatchInputs& inputs, const py::tu
   result.contradicted_landmarks = to_matches(state[3].cast<py::array>(), "state");
   result.oriented = state[4].cast<bool>();
   result.times = to_times(state[5]);
+  const auto view = state[6].cast<std::tuple<bool, bool, std::string, double, double>>();
+  result.taken_for = std::make_from_tuple<PairView>(view);
   check(!result.maps.empty());
   return result;
 }

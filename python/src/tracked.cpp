@@ -45,6 +45,16 @@ py::dict figures(const TrackedMap& map) {
   return result;
 }
 
+py::dict taken_for(const TrackedMatch& run) {
+  const PairView& view = run.result.taken_for;
+  const auto word = [](bool is_part) { return is_part ? "part" : "whole"; };
+  py::dict result;
+  result["source"] = word(view.source_is_part);
+  result["target"] = word(view.target_is_part);
+  result["scale"] = view.scale;
+  return result;
+}
+
 py::list hypotheses(const TrackedMatch& run) {
   py::list result;
   for (const HypothesisSummary& hypothesis : run.result.hypotheses)
@@ -93,6 +103,13 @@ void bind_tracked(py::module_& module) {
            [](const TrackedMatch& run, std::size_t k) {
              return to_dict(run.inputs.source.mesh(), run.result.maps.at(k).target_to_source);
            })
+      .def("confidence",
+           [](const TrackedMatch& run, std::size_t k) {
+             const TrackedMap& map = run.result.maps.at(k);
+             return py::make_tuple(adopt(std::vector(map.source_confidence)),
+                                   adopt(std::vector(map.target_confidence)));
+           })
+      .def_property_readonly("taken_for", taken_for)
       .def("registered", [](const TrackedMatch& run,
                             std::size_t k) { return to_array(run.result.maps.at(k).registered); })
       .def("figures",

@@ -38,9 +38,9 @@ def assert_equal(a, b):
 SHAPE = "vertices faces path geodesics on_surface area warnings".split()
 MAP = (
     "source target source_to_target triangles barycentric target_to_source registered_vertices "
-    "energy distance mirrored"
+    "energy distance mirrored confidence"
 ).split()
-MATCH = "method ambiguity oriented seconds correspondence levels hypotheses warnings".split()
+MATCH = "method ambiguity oriented taken_for seconds correspondence levels hypotheses warnings".split()
 
 
 def vars_of(value, names):
