@@ -86,6 +86,7 @@ void for_each_number(PoseOptions& p, const std::string& at, const Visitor& visit
   visit(at + ".rim_width", p.rim_width);
   visit(at + ".landmark_price", p.landmark_price);
   visit(at + ".followed", p.followed);
+  visit(at + ".price", p.price);
   visit(at + ".max_energy", p.max_energy);
   visit(at + ".normal_weight", p.normal_weight);
 }

@@ -149,6 +149,9 @@ struct PoseOptions {
   /// Motions that are followed beside other hypotheses, at most, if their energy is at most so many
   /// times the least.
   int followed = 2;
+  /// What the cost of a motion is multiplied by when it has been followed: without distances along
+  /// the surface, points lie closer even where limbs are folded.
+  double price = 6;
   double max_energy = 1.5;
   /// How much normals count as distances when the closest point is looked for.
   double normal_weight = 0.05;

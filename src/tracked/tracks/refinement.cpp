@@ -51,6 +51,11 @@ void place(Track& track, std::vector<Point> positions) {
   track.placed = true;
 }
 
+double price_of(const Judged& judged, const Options& options) {
+  return (judged.source->view.mirrored ? options.mirror_price : 1) *
+         (judged.hypothesis.pose ? options.hypotheses.poses.price : 1);
+}
+
 double between(double first, double last, double progress) {
   return first * std::pow(last / first, progress);
 }
@@ -185,7 +190,7 @@ Track Refinement::enter(const Judged& judged, const Level& source, const Level& 
               std::move(vertices),
               {source.graph.cloud.positions, source.graph.neighbours},
               {},
-              judged.source->view.mirrored ? options_.mirror_price : 1};
+              price_of(judged, options_)};
   track.cloud.inside = std::move(inside);
   return track;
 }

@@ -24,7 +24,8 @@ struct Track {
   std::vector<int> vertices;
   elastic::Deformation deformation;
   elastic::Registration registration;
-  /// More than 1 for mirror images, see `Options::mirror_price`.
+  /// More than 1 for mirror images and motions in space, see `Options::mirror_price` and
+  /// `PoseOptions::price`.
   double price = 1;
   /// What is left out on both sides, as elastic energy and as distance.
   double energy_left_out = 0, distance_left_out = 0;
