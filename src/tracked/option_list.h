@@ -94,13 +94,15 @@ void for_each_number(PoseOptions& p, const std::string& at, const Visitor& visit
 template <class Visitor>
 void for_each_number(PartialOptions& p, const std::string& at, const Visitor& visit) {
   visit(at + ".open_boundary", p.open_boundary);
+  visit(at + ".same_size", p.same_size);
+  visit(at + ".same_boundary", p.same_boundary);
   visit(at + ".doubt", p.doubt);
   visit(at + ".entrants", p.entrants);
   visit(at + ".landmark_price", p.landmark_price);
   visit(at + ".energy_price", p.energy_price);
   visit(at + ".distance_price", p.distance_price);
   visit(at + ".contradiction_price", p.contradiction_price);
-  visit(at + ".contradiction_range", p.contradiction_range);
+  visit(at + ".pose_price", p.pose_price);
   visit(at + ".rim_width", p.rim_width);
   visit(at + ".landmark_reach", p.landmark_reach);
   visit(at + ".reach", p.reach);

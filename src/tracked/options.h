@@ -49,6 +49,9 @@ struct PartialOptions {
   /// Length of the boundary, over sqrt(area), from which a shape is taken for a part: it encloses
   /// .02 of the area, if it is one circle.
   double open_boundary = 0.5;
+  /// Shapes whose lengths and whose boundaries differ by at most so many times are patches that end
+  /// at the same places: none is a part.
+  double same_size = 1.025, same_boundary = 1.1;
   /// Weight of what distances differ by, where both may be the same on the whole shapes.
   float doubt = 0.5F;
   /// Hypotheses that are followed on the middle level: more than of whole shapes, since distances
@@ -61,8 +64,9 @@ struct PartialOptions {
   double energy_price = 0.1, distance_price = 0.005;
   /// By how much more it costs where it is not.
   double contradiction_price = 4;
-  /// What is farther than this from the other shape does not contradict.
-  double contradiction_range = 0.3;
+  /// What the cost of a motion in space is multiplied by, see `PoseOptions::price`: distances along
+  /// surfaces tell less.
+  double pose_price = 1.5;
   /// What is as close to the rim as this may be beyond it.
   double rim_width = 0.05;
   /// A landmark that is matched stands for what is closer than this, over sqrt(area) of the smaller

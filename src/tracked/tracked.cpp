@@ -72,8 +72,20 @@ struct Views {
   bool parts() const { return source.open || target.open; }
 };
 
+/// Whether something may be missing: not of a mesh so small that most of it is boundary.
 bool is_open(const Surface& surface, const PartialOptions& options) {
-  return boundary_length(surface.mesh) > options.open_boundary;
+  return boundary_length(surface.mesh) > options.open_boundary &&
+         std::ssize(boundary_vertices(surface.mesh)) < surface.num_vertices() / 2;
+}
+
+/// Whether both shapes end at the same places, as far as sizes tell: patches, not parts.
+bool end_alike(const Surface& source, const Surface& target, const PartialOptions& options) {
+  const auto alike = [](double a, double b, double times) {
+    return std::max(a, b) <= times * std::min(a, b);
+  };
+  return alike(source.scale, target.scale, options.same_size) &&
+         alike(source.scale * boundary_length(source.mesh),
+               target.scale * boundary_length(target.mesh), options.same_boundary);
 }
 
 /// "same" or "area".
@@ -90,6 +102,8 @@ Views views_of(const Surface& source, const Surface& target, const TrackedOption
   Views views;
   views.source.open = !wanted.whole && is_open(source, options);
   views.target.open = !wanted.whole && is_open(target, options);
+  if (views.source.open && views.target.open && end_alike(source, target, options))
+    views.source.open = views.target.open = false;
   views.scale = chosen_scale(source, target, views.parts(), wanted.scale);
   if (views.scale == "area") return views;
   const double unit = std::max(source.scale, target.scale);
@@ -106,6 +120,7 @@ PairView taken_for(const Views& views, const Surface& source, const Surface& tar
 Options for_parts(Options options) {
   options.parts = true;
   options.entrants = options.partial.entrants;
+  options.hypotheses.poses.price = options.partial.pose_price;
   options.hypotheses.growth.price = options.partial.landmark_price;
   options.hypotheses.growth.doubt = options.partial.doubt;
   return options;
@@ -198,6 +213,12 @@ void check_found(const Candidates& candidates) {
                          : "there is no map that satisfies the landmarks");
 }
 
+void check_overlap(const Track& track) {
+  const std::vector<bool>& inside = track.cloud.inside;
+  if (!inside.empty() && std::ranges::count(inside, true) == 0)
+    throw InvalidInput("the shapes have too little in common: nothing of them overlaps");
+}
+
 }  // namespace
 
 Options tracked::options_of(const TrackedOptions& options) {
@@ -263,6 +284,7 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
                                                  followed.middle_cost, options, context));
         return followed;
       });
+  check_overlap(finals.tracks.front());
   result.ambiguity = finals.ambiguity;
   result.maps = timed("dense map", kDenseMapBegin, 1, [&](const Context& part) {
     return dense_maps(source, target, finals.tracks, goal, options, part);

@@ -55,10 +55,13 @@ double energy(const Pyramid& source, const Pyramid& target, const Hypothesis& hy
   if (options.parts) carry_outside(cloud, anchors);
   const elastic::Registration registration =
       register_onto(cloud, deformation, surface, anchors, options.judging);
+  if (!options.parts) return registration.energy;
+  const std::vector<bool> inside =
+      inside_after(cloud, deformation.neighbours(), registration, options);
+  const std::vector<bool> by_rim = feet_by_rim(registration, target.proxy, options.partial);
   return registration.energy +
          options.partial.energy_price *
-             left_out(cloud, inside_after(cloud, deformation.neighbours(), registration, options),
-                      registration, source, target, options.partial);
+             left_out({inside, by_rim, cloud.areas, deformation.neighbours()}, options.partial);
 }
 
 void reverse(Hypothesis& hypothesis) {

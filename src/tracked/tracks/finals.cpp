@@ -51,8 +51,8 @@ bool same_origin(const Judged& a, const Judged& b) {
          a.hypothesis.pose.has_value() == b.hypothesis.pose.has_value();
 }
 
-/// The first hypotheses, and motions of little energy: distances along surfaces, by which the order
-/// is made as well, mean nothing where these are full of holes.
+/// The first hypotheses, and motions of little energy, of parts all of little energy: distances
+/// along surfaces, by which the order is made as well, mean nothing where these are full of holes.
 std::vector<Judged> entrants_of(const std::vector<Judged>& judged, const Options& options) {
   if (options.different_maps > 1) return judged;
   const auto count = std::min(judged.size(), static_cast<std::size_t>(options.entrants));

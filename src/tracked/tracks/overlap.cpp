@@ -119,20 +119,41 @@ std::vector<bool> inside_after(const elastic::PointCloud& cloud, const IndexList
   return smoothed(inside, cloud.areas, neighbours, options.partial);
 }
 
-double left_out(const elastic::PointCloud& cloud, const std::vector<bool>& inside,
-                const elastic::Registration& registration, const Pyramid& source,
-                const Pyramid& target, const PartialOptions& options) {
-  if (inside.empty()) return 0;
-  double beyond = 0, unexplained = 0;
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    if (inside[i]) continue;
-    const Face& face = target.proxy.mesh.faces[registration.feet[i].point.face];
-    const bool by_rim = std::ranges::any_of(
-        face, [&](int v) { return target.proxy.to_boundary[v] < options.rim_width; });
-    (by_rim ? beyond : unexplained) += cloud.areas[i];
+double left_out(const Sides& left, const PartialOptions& options) {
+  DisjointSets pieces(left.neighbours.size());
+  for (int i = 0; i < left.neighbours.size(); ++i)
+    for (int j : left.neighbours[i])
+      if (!left.inside[i] && !left.inside[j]) pieces.join(i, j);
+  struct Piece {
+    double area = 0;
+    int border = 0, by_rim = 0;
+  };
+  std::vector<Piece> sums(left.inside.size());
+  for (int i = 0; i < left.neighbours.size(); ++i) {
+    if (left.inside[i]) continue;
+    Piece& piece = sums[pieces.find(i)];
+    piece.area += left.areas[i];
+    if (std::ranges::none_of(left.neighbours[i], [&](int j) { return left.inside[j]; })) continue;
+    ++piece.border;
+    if (left.by_rim[i]) ++piece.by_rim;
   }
-  const double too_much = std::max(0.0, source.area() - target.area());
-  return std::max(0.0, beyond - too_much) + options.contradiction_price * unexplained;
+  double price = 0;
+  for (const Piece& piece : sums) {
+    const double explained =
+        piece.border == 0 ? 0 : static_cast<double>(piece.by_rim) / piece.border;
+    price += piece.area * (explained + (1 - explained) * options.contradiction_price);
+  }
+  return price;
+}
+
+std::vector<bool> feet_by_rim(const elastic::Registration& registration, const Proxy& target,
+                              const PartialOptions& options) {
+  std::vector<bool> by_rim;
+  for (const elastic::Foot& foot : registration.feet)
+    by_rim.push_back(std::ranges::any_of(target.mesh.faces[foot.point.face], [&](int v) {
+      return target.to_boundary[v] < options.rim_width;
+    }));
+  return by_rim;
 }
 
 Part part_of_proxy(const Proxy& proxy, const Level& level, const std::vector<bool>& inside,

@@ -26,11 +26,22 @@ std::vector<bool> inside_after(const elastic::PointCloud& cloud, const IndexList
 std::vector<bool> smoothed(const std::vector<bool>& inside, const std::vector<double>& areas,
                            const IndexLists& neighbours, const PartialOptions& options);
 
-/// The area of points that are not inside; more of those that are not beyond the target's rim, so
-/// that nothing tells why. Of what must be left out since the target is smaller, nothing counts.
-double left_out(const elastic::PointCloud& cloud, const std::vector<bool>& inside,
-                const elastic::Registration& registration, const Pyramid& source,
-                const Pyramid& target, const PartialOptions& options);
+/// Nodes of a shape of which some are left out.
+struct Sides {
+  const std::vector<bool>& inside;
+  /// Whether what is closest on the other shape is at its rim.
+  const std::vector<bool>& by_rim;
+  const std::vector<double>& areas;
+  const IndexLists& neighbours;
+};
+
+/// The area of the nodes that are not inside. A piece counts more, the less of its border is by the
+/// rim of the other shape, beyond which its counterpart may be what is missing.
+double left_out(const Sides& sides, const PartialOptions& options);
+
+/// Whether each foot is by the rim of the proxy that it is on.
+std::vector<bool> feet_by_rim(const elastic::Registration& registration, const Proxy& target,
+                              const PartialOptions& options);
 
 /// A part of a proxy, with eigenfunctions of its own.
 struct Part {

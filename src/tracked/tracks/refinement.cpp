@@ -333,24 +333,22 @@ void Refinement::look_at_overlap(Track& track) const {
 /// Prices what is left out of both shapes.
 void Refinement::weigh_left_out(Track& track) const {
   if (!options_.parts) return;
-  const Pyramid& source = *track.judged.source;
+  const PartialOptions& partial = options_.partial;
+  const Proxy& source = track.judged.source->proxy;
   const std::vector<int> nearest = nearest_nodes(track);
   const std::vector<bool> covered = covered_target(track, nearest);
-  double contradicted = 0;
-  for (int i = 0; i < track.target->size(); ++i) {
-    const int node = nearest[i];
-    const Point& place = track.target->graph.cloud.positions[i];
-    if (covered[i] ||
-        source.proxy.to_boundary[source.proxy.nodes[node]] < options_.partial.rim_width ||
-        (track.deformation.positions()[node] - place).norm() > options_.partial.contradiction_range)
-      continue;
-    contradicted += track.target->graph.cloud.areas[i];
-  }
-  const double area = left_out(track.cloud, track.cloud.inside, track.registration, source, target_,
-                               options_.partial) +
-                      options_.partial.contradiction_price * contradicted;
-  track.energy_left_out = options_.partial.energy_price * area;
-  track.distance_left_out = options_.partial.distance_price * area;
+  std::vector<bool> by_rim;
+  for (const int node : nearest)
+    by_rim.push_back(source.to_boundary[source.nodes[node]] < partial.rim_width);
+  const NodeGraph& target = track.target->graph;
+  const double area =
+      left_out({track.cloud.inside, feet_by_rim(track.registration, target_.proxy, partial),
+                track.cloud.areas, track.deformation.neighbours()},
+               partial) +
+      left_out({covered, by_rim, target.cloud.areas, target.neighbours}, partial) -
+      std::abs(track.judged.source->area() - target_.area());
+  track.energy_left_out = partial.energy_price * std::max(0.0, area);
+  track.distance_left_out = partial.distance_price * std::max(0.0, area);
 }
 
 double Refinement::progress(int round) const {
