@@ -58,33 +58,6 @@ void expect_good(const Outcome& outcome) {
   EXPECT_LT(outcome.error, 0.06);
 }
 
-/// That points lie on the surfaces and all figures are finite; vertices may have no point.
-void expect_sound_parts(const TrackedResult& result, const Shape& source, const Shape& target) {
-  ASSERT_FALSE(result.maps.empty());
-  const auto expect_points = [](const SurfaceMap& map, const Shape& from, const Shape& onto) {
-    ASSERT_EQ(std::ssize(map), from.num_vertices());
-    for (int v = 0; v < from.num_vertices(); ++v) {
-      if (!from.on_surface(v)) {
-        EXPECT_EQ(map[v], SurfacePoint{});
-      }
-      if (map[v].face >= 0) test::expect_point(map[v], onto);
-    }
-  };
-  for (const TrackedMap& map : result.maps) {
-    expect_points(map.source_to_target, source, target);
-    expect_points(map.target_to_source, target, source);
-    ASSERT_EQ(std::ssize(map.registered), source.num_vertices());
-    for (const Point& p : map.registered) EXPECT_TRUE(p.allFinite());
-    for (const double figure : {map.energy, map.distance, map.deviation, map.distortion})
-      EXPECT_TRUE(std::isfinite(figure));
-    for (const Match& match : matches(source, target, map)) {
-      EXPECT_TRUE(source.on_surface(match.source));
-      EXPECT_TRUE(target.on_surface(match.target));
-    }
-  }
-  EXPECT_TRUE(std::isfinite(result.ambiguity));
-}
-
 /// A creature, and another pose of it of which the hind part, below a plane, is missing.
 class CutCreature : public testing::Test {
  protected:
@@ -99,7 +72,7 @@ class CutCreature : public testing::Test {
 
 TEST_F(CutCreature, AsTargetLeavesOutWhatIsMissingAndMatchesTheRest) {
   const TrackedResult result = match_tracked(whole_, part_);
-  expect_sound_parts(result, whole_, part_);
+  test::expect_sound_parts(result, whole_, part_);
   const TrackedMap& map = result.maps.front();
   expect_good(outcome(whole_, part_, truth_, map.source_to_target, area_));
   const Outcome back = outcome(part_, whole_, reversed_, map.target_to_source, area_);
@@ -109,7 +82,7 @@ TEST_F(CutCreature, AsTargetLeavesOutWhatIsMissingAndMatchesTheRest) {
 
 TEST_F(CutCreature, AsSourceIsMatchedWholly) {
   const TrackedResult result = match_tracked(part_, whole_);
-  expect_sound_parts(result, part_, whole_);
+  test::expect_sound_parts(result, part_, whole_);
   const TrackedMap& map = result.maps.front();
   const Outcome forth = outcome(part_, whole_, reversed_, map.source_to_target, area_);
   EXPECT_GT(forth.kept, 0.8);
@@ -137,7 +110,7 @@ TEST_F(CutCreature, WithLoosePartsIsMatchedAndFinite) {
     mesh = test::combined(ball, mesh);
   }
   const Shape loose(mesh);
-  expect_sound_parts(match_tracked(loose, part_), loose, part_);
+  test::expect_sound_parts(match_tracked(loose, part_), loose, part_);
 }
 
 TEST(WholeShapes, WithAPinholeAreStillWhole) {
