@@ -87,6 +87,39 @@ inline void expect_sound(const TrackedResult& result, const Shape& source, const
   EXPECT_FALSE(result.hypotheses.empty());
 }
 
+/// That what has a point has it on the other surface.
+inline void expect_partial(const SurfaceMap& map, const Shape& from, const Shape& onto) {
+  ASSERT_EQ(std::ssize(map), from.num_vertices());
+  for (int v = 0; v < from.num_vertices(); ++v) {
+    if (map[v] == SurfacePoint{}) continue;
+    EXPECT_TRUE(from.on_surface(v));
+    expect_point(map[v], onto);
+  }
+}
+
+/// What holds of shapes as well of which something may be missing: vertices may have no point.
+inline void expect_sound_parts(const TrackedResult& result, const Shape& source,
+                               const Shape& target) {
+  ASSERT_FALSE(result.maps.empty());
+  for (const TrackedMap& map : result.maps) {
+    expect_partial(map.source_to_target, source, target);
+    expect_partial(map.target_to_source, target, source);
+    for (const Match& match : matches(source, target, map)) {
+      EXPECT_TRUE(source.on_surface(match.source));
+      EXPECT_TRUE(target.on_surface(match.target));
+    }
+    ASSERT_EQ(std::ssize(map.registered), source.num_vertices());
+    for (const Point& p : map.registered) EXPECT_TRUE(p.allFinite());
+    for (const double figure : {map.energy, map.distance, map.deviation, map.distortion}) {
+      EXPECT_GE(figure, -1e-12);  // 1 - cosine rounds.
+      EXPECT_TRUE(std::isfinite(figure));
+    }
+  }
+  EXPECT_GE(result.ambiguity, 0);
+  EXPECT_LE(result.ambiguity, 1);
+  EXPECT_FALSE(result.hypotheses.empty());
+}
+
 /// Where the vertices go, all of which must have a point.
 inline std::vector<Point> places(const Shape& target, const SurfaceMap& map) {
   std::vector<Point> points;

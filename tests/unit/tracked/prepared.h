@@ -7,15 +7,16 @@
 
 namespace isomatch::test {
 
-/// A shape as the tracked method prepares it, with all vertices in the detail.
+/// A shape as the tracked method prepares it, with all vertices in the detail; `open` if something
+/// may be missing beyond its boundary.
 struct Prepared {
   explicit Prepared(const Mesh& mesh, const tracked::ProxyOptions& options = {},
-                    const Context& context = {})
+                    const Context& context = {}, bool open = false)
       : shape(mesh, {}),
         surface(*shape.surface()),
         detail(tracked::make_detail(shape, surface, {.detail_vertices = surface.num_vertices()},
                                     context)),
-        proxy(tracked::make_proxy(detail, surface.oriented, false, options, context)) {}
+        proxy(tracked::make_proxy(detail, surface.oriented, open, options, context)) {}
 
   PreparedShape shape;
   const Surface& surface;

@@ -14,6 +14,7 @@
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
+#include "tracked/shape/pyramid.h"
 #include "unit/tracked/prepared.h"
 
 namespace isomatch::tracked {
@@ -171,6 +172,96 @@ TEST_F(GrowthTest, OrientationOfAMirrorImageIsReversed) {
   Growth(landmarks_, kLandmarks, all, count, {}).measure(map);
   EXPECT_LT(map.distortion, 1e-5);
   EXPECT_LT(map.orientation, -0.3);
+}
+
+/// The price and doubt that shapes have of which something may be missing.
+GrowthOptions priced() {
+  const PartialOptions partial;
+  return {.price = partial.landmark_price, .doubt = partial.doubt};
+}
+
+TEST_F(GrowthTest, DoubtAndPriceChangeNothingWhereNothingIsMissing) {
+  test::Random random(1);
+  LandmarkMap plain{random.permutation(kLandmarks)}, doubtful = plain;
+  Growth(landmarks_, kLandmarks, landmarks_, kLandmarks, {}).measure(plain);
+  Growth growth(landmarks_, kLandmarks, landmarks_, kLandmarks, priced());
+  growth.measure(doubtful);
+  EXPECT_NEAR(doubtful.distortion, plain.distortion, 1e-5);
+  EXPECT_EQ(doubtful.orientation, plain.orientation);
+  EXPECT_EQ(growth.grow({{0, 0}, {1, 1}, {2, 2}, {3, 3}}).target_of_source, identity_);
+}
+
+TEST_F(GrowthTest, LandmarksThatAreLeftOutCostTheirPrice) {
+  LandmarkMap map{identity_};
+  for (int i = 0; i < kLandmarks / 4; ++i) map.target_of_source[i] = kUnmatched;
+  Growth(landmarks_, kLandmarks, landmarks_, kLandmarks, priced()).measure(map);
+  EXPECT_NEAR(map.distortion, PartialOptions{}.landmark_price / 4, 1e-6);
+  EXPECT_GT(map.orientation, 0.3);
+}
+
+/// A sheet of [0, 2] x [0, 1], and its left half, in one unit of length.
+class HalfSheet : public testing::Test {
+ protected:
+  static Pyramid pyramid(const Mesh& mesh, const View& view) {
+    return make_pyramid(PreparedShape(mesh, {}), view, {.proxy = {.nodes = 200}}, {});
+  }
+
+  static Point at(const Pyramid& pyramid, int node) {
+    return pyramid.surface->scale * pyramid.proxy.node_position(node) + pyramid.surface->centre;
+  }
+
+  /// Nodes of the whole in the left half and those next to them of the half, as four matches.
+  Correspondence first_matches() const {
+    Correspondence matches;
+    for (int i = 0; i < kSources && matches.size() < 4; ++i) {
+      if (at(whole_, i).x() > 0.8) continue;
+      int nearest = 0;
+      for (int t = 0; t < kTargets; ++t)
+        if ((at(half_, t) - at(whole_, i)).norm() < (at(half_, nearest) - at(whole_, i)).norm())
+          nearest = t;
+      matches.push_back({i, nearest});
+    }
+    return matches;
+  }
+
+  LandmarkMap grown(const GrowthOptions& options) const {
+    const NodeDirections from(whole_.proxy, first_numbers(kSources)),
+        onto(half_.proxy, first_numbers(kTargets));
+    Growth growth(from, kSources, onto, kTargets, options);
+    LandmarkMap map = growth.grow(first_matches());
+    growth.revise(map);
+    growth.measure(map);
+    return map;
+  }
+
+  static constexpr int kSources = 60, kTargets = 200;
+  const Pyramid whole_ = pyramid(test::sheet(40, 20, 2, 1), {});
+  const Pyramid half_ = pyramid(test::sheet(20, 20), {.size = std::sqrt(0.5), .open = true});
+};
+
+TEST_F(HalfSheet, LandmarksWithoutCounterpartStayUnmatchedAtAPrice) {
+  const LandmarkMap map = grown(priced());
+  int left = 0, right = 0;
+  for (int i = 0; i < kSources; ++i) {
+    const int target = map.target_of_source[i];
+    const Point p = at(whole_, i);
+    if (p.x() > 1.3) {
+      EXPECT_EQ(target, kUnmatched) << p.transpose();
+      ++right;
+    } else if (p.x() < 0.9) {
+      ASSERT_NE(target, kUnmatched) << p.transpose();
+      EXPECT_LT((at(half_, target) - p).norm(), 0.15);
+      ++left;
+    }
+  }
+  EXPECT_GT(left, 10);
+  EXPECT_GT(right, 10);
+}
+
+TEST_F(HalfSheet, AllLandmarksAreMatchedWithoutAPrice) {
+  const LandmarkMap map = grown({});
+  EXPECT_EQ(std::ranges::count(map.target_of_source, kUnmatched), 0);
+  EXPECT_GT(map.distortion, grown(priced()).distortion);
 }
 
 }  // namespace

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <set>
 #include <vector>
 
 #include "isomatch/mesh/synth.h"
+#include "isomatch/mesh/topology.h"
 #include "support/context.h"
 #include "support/mesh_files.h"
 #include "support/random.h"
@@ -206,6 +208,96 @@ TEST(NodeGraph, OfAllVerticesHasTheEdgesOfTheMesh) {
   int edges = 0;
   for (int i = 0; i < 162; ++i) edges += static_cast<int>(graph.neighbours[i].size());
   EXPECT_EQ(edges, 2 * 480);
+}
+
+Proxy open_proxy(const Mesh& mesh) { return Prepared(mesh, {}, {}, true).proxy; }
+
+TEST(ProxyBoundary, OfAnOpenSheetIsItsRim) {
+  const Proxy proxy = open_proxy(test::sheet(30, 30));
+  ASSERT_EQ(proxy.num_vertices(), 31 * 31);
+  for (int v = 0; v < proxy.num_vertices(); ++v) {
+    const double expected = 0.5 - proxy.mesh.vertices[v].cwiseAbs().maxCoeff();
+    EXPECT_NEAR(proxy.to_boundary[v], expected, 1e-5);
+    if (expected < 1e-9) {
+      EXPECT_EQ(proxy.to_boundary[v], 0);
+    }
+  }
+}
+
+TEST(ProxyBoundary, IsInfinitelyFarWhereNothingIsMissing) {
+  for (const Proxy& proxy : {open_proxy(test::icosphere(2)), Prepared(test::sheet(6, 4)).proxy}) {
+    ASSERT_EQ(std::ssize(proxy.to_boundary), proxy.num_vertices());
+    for (const float distance : proxy.to_boundary) EXPECT_TRUE(std::isinf(distance));
+    for (int a = 0; a < proxy.num_measured(); ++a)
+      for (int b = 0; b < proxy.num_nodes(); ++b)
+        EXPECT_EQ(proxy.least_distance(a, b), proxy.node_distance(a, b));
+  }
+}
+
+TEST(ProxyBoundary, LeastDistancesAreNoLongerAndShortenOnlyWhatIsLongerThanTheWaysToTheRim) {
+  const Proxy proxy = open_proxy(test::sheet(30, 30));
+  const auto from_centre = [&](int node) {
+    return proxy.node_position(node).cwiseAbs().maxCoeff();
+  };
+  int inner = 0, outer = 0;
+  for (int a = 0; a < proxy.num_measured(); ++a) {
+    for (int b = 0; b < proxy.num_nodes(); ++b) {
+      EXPECT_LE(proxy.least_distance(a, b), proxy.node_distance(a, b));
+      const double farthest = std::max(from_centre(a), from_centre(b));
+      const double nearest = std::min(from_centre(a), from_centre(b));
+      if (farthest < 0.2) {
+        EXPECT_EQ(proxy.least_distance(a, b), proxy.node_distance(a, b));
+        ++inner;
+      } else if (nearest > 0.499) {
+        EXPECT_NEAR(proxy.least_distance(a, b), 0, 1e-6);
+        ++outer;
+      }
+    }
+  }
+  EXPECT_GT(inner, 100);
+  EXPECT_GT(outer, 100);
+}
+
+/// Two spheres that are not connected, as simplification may leave them.
+Detail two_spheres() {
+  Mesh small = test::icosphere(2, 0.3);
+  for (Point& p : small.vertices) p.x() += 3;
+  const Mesh mesh = test::scaled(test::combined(test::icosphere(3), small), 0.25);
+  std::vector<int> all(mesh.vertices.size());
+  std::iota(all.begin(), all.end(), 0);
+  auto graph = std::make_shared<const GeodesicGraph>(mesh);
+  return {mesh, std::move(all), vertex_faces(mesh),
+          std::vector<elastic::Features>(mesh.vertices.size()), std::move(graph)};
+}
+
+TEST(Proxy, WhatIsNotConnectedIsFartherThanAllElseAndNotInfinitelyFar) {
+  const Proxy proxy = make_proxy(two_spheres(), true, false, {.nodes = 100}, {});
+  EXPECT_TRUE(proxy.distances.allFinite());
+  const std::vector<int> component = vertex_components(proxy.mesh);
+  float longest = 0, shortest_between = std::numeric_limits<float>::infinity();
+  for (int a = 0; a < proxy.num_measured(); ++a) {
+    for (int v = 0; v < proxy.num_vertices(); ++v) {
+      const float distance = proxy.distances(a, v);
+      if (component[v] == component[proxy.nodes[a]])
+        longest = std::max(longest, distance);
+      else
+        shortest_between = std::min(shortest_between, distance);
+    }
+  }
+  EXPECT_GT(longest, 0);
+  EXPECT_TRUE(std::isfinite(shortest_between));
+  EXPECT_GT(shortest_between, longest);
+}
+
+TEST(NodeGraph, HasACellForEachVertexOfTwoComponents) {
+  const Proxy proxy = make_proxy(two_spheres(), true, false, {.nodes = 100}, {});
+  const std::vector<int> component = vertex_components(proxy.mesh);
+  const NodeGraph graph = node_graph(proxy, 100);
+  ASSERT_EQ(std::ssize(graph.cell), proxy.num_vertices());
+  for (int v = 0; v < proxy.num_vertices(); ++v) {
+    ASSERT_GE(graph.cell[v], 0);
+    EXPECT_EQ(component[v], component[proxy.nodes[graph.cell[v]]]);
+  }
 }
 
 class ProxyOf : public testing::TestWithParam<test::ZooMesh> {};
