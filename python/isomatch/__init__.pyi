@@ -30,6 +30,7 @@ class Map:
     energy: Optional[float]
     distance: Optional[float]
     mirrored: bool
+    confidence: Optional[np.ndarray]
     fit: Fit
     @property
     def transfer(self) -> Transfer: ...
@@ -169,6 +170,7 @@ class Match(Map):
     ambiguity: Optional[float]
     contradicted_landmarks: np.ndarray
     oriented: Optional[bool]
+    taken_for: Optional[Dict[str, str]]
     seconds: Dict[str, float]
     @property
     def warnings(self) -> List[str]: ...
@@ -341,6 +343,8 @@ def match(
     geodesics: Geodesics = 'w20',
     threads: Optional[int] = None,
     progress: Progress = None,
+    whole: bool = False,
+    scale: str = 'auto',
     allow_reflection: bool = False,
     orientation: bool = True,
     elastic_judging: bool = True,
