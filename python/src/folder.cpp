@@ -90,8 +90,7 @@ std::vector<float> confidence_of(const MatchResult& folder, const results::Resul
   const std::string path =
       folder.path((fs::path(map.folder) / (side + "_confidence.txt")).string());
   if (!fs::exists(path)) return std::vector<float>(input.shape.num_vertices(), 0.0F);
-  const Eigen::VectorXf values =
-      read_values(path, input.shape.num_vertices()).col(0).cast<float>();
+  const Eigen::VectorXf values = read_values(path, input.shape.num_vertices()).col(0).cast<float>();
   return {values.data(), values.data() + values.size()};
 }
 

@@ -216,25 +216,6 @@ std::vector<LandmarkMap> twins_of(const std::vector<LandmarkMap>& maps,
   return grow_all(starts, source, target, options.fine, options, context);
 }
 
-/// Poses themselves, with what they match.
-std::vector<Hypothesis> posed_hypotheses(const std::vector<Pose>& poses,
-                                         const std::vector<Correspondence>& matched,
-                                         const NodeDirections& from, const NodeDirections& onto,
-                                         const HypothesisOptions& options) {
-  GrowthOptions priced = options.growth;
-  priced.price = std::min(priced.price, options.poses.landmark_price);
-  Growth growth(from, options.fine.source_landmarks, onto, options.fine.target_landmarks, priced);
-  std::vector<Hypothesis> hypotheses;
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    if (std::cmp_less(matched[k].size(), options.seeds.min_matches)) continue;
-    LandmarkMap map = growth.only(matched[k]);
-    growth.measure(map);
-    hypotheses.push_back(between_nodes(map, from, onto));
-    hypotheses.back().pose = poses[k];
-  }
-  return hypotheses;
-}
-
 std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& target, const Tips& tips,
                                          const SeedOptions& seeds, const HypothesisOptions& options,
                                          const Context& context) {
@@ -255,16 +236,43 @@ std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& targe
   context.report(1, kHypothesesStage);
   if (options.growth.orientation && source.oriented && target.oriented) drop_mirrored(maps);
   select(maps, onto, options.fine.max_maps, options);
-  const std::vector<Pose> poses = find_poses(source, target, options.poses);
-  std::vector<Correspondence> matched;
-  for (const Pose& pose : poses)
-    matched.push_back(matches_under(pose, source, from, target, onto, options.poses));
-  std::ranges::move(grow_all(matched, from, onto, options.fine, options, context),
-                    std::back_inserter(maps));
   std::vector<Hypothesis> hypotheses;
   for (const LandmarkMap& map : maps) hypotheses.push_back(between_nodes(map, from, onto));
-  std::ranges::move(posed_hypotheses(poses, matched, from, onto, options),
-                    std::back_inserter(hypotheses));
+  return hypotheses;
+}
+
+/// What a pose matches, and the given landmarks, which come first in both lists.
+Correspondence matches_with_landmarks(const Pose& pose, const Proxy& source,
+                                      const NodeDirections& from, const Proxy& target,
+                                      const NodeDirections& onto,
+                                      const HypothesisOptions& options) {
+  const int fixed = options.growth.fixed;
+  Correspondence matches = matches_under(pose, source, from, target, onto, options.poses);
+  std::erase_if(matches, [&](const Match& m) { return m.source < fixed || m.target < fixed; });
+  for (int i = 0; i < fixed; ++i) matches.push_back({i, i});
+  return matches;
+}
+
+/// Poses themselves, and what grows from what they match.
+std::vector<Hypothesis> posed_hypotheses(const Proxy& source, const Proxy& target, const Tips& tips,
+                                         const HypothesisOptions& options, const Context& context) {
+  const NodeDirections from = landmarks_of(source, tips.source, options.fine.source_landmarks);
+  const NodeDirections onto = landmarks_of(target, tips.target, options.fine.target_landmarks);
+  GrowthOptions priced = options.growth;
+  priced.price = std::min(priced.price, options.poses.landmark_price);
+  Growth growth(from, options.fine.source_landmarks, onto, options.fine.target_landmarks, priced);
+  std::vector<Hypothesis> hypotheses;
+  std::vector<Correspondence> starts;
+  for (const Pose& pose : find_poses(source, target, options.poses)) {
+    starts.push_back(matches_with_landmarks(pose, source, from, target, onto, options));
+    if (std::cmp_less(starts.back().size(), options.seeds.min_matches)) continue;
+    LandmarkMap map = growth.only(starts.back());
+    growth.measure(map);
+    hypotheses.push_back(between_nodes(map, from, onto));
+    hypotheses.back().pose = pose;
+  }
+  for (const LandmarkMap& map : grow_all(starts, from, onto, options.fine, options, context))
+    hypotheses.push_back(between_nodes(map, from, onto));
   return hypotheses;
 }
 
@@ -272,18 +280,23 @@ std::vector<Hypothesis> grown_hypotheses(const Proxy& source, const Proxy& targe
 
 std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target,
                                         const HypothesisOptions& options, const Context& context) {
-  constexpr double kFirst = 0.6;
+  // Of the time, how much what is done takes.
+  constexpr double kFirst = 0.5, kGrown = 0.8;
   Tips tips = sharp_tips(source, target, options);
   std::vector<Hypothesis> hypotheses =
       grown_hypotheses(source, target, tips, options.seeds, options, part_of(context, 0, kFirst));
-  if (std::cmp_greater_equal(hypotheses.size(), options.enough)) return hypotheses;
-  append_spread_nodes(source, options.seeds.spread_source_nodes, tips.source);
-  append_spread_nodes(target, options.seeds.spread_target_nodes, tips.target);
-  SeedOptions seeds = options.seeds;
-  seeds.min_matches = std::min({seeds.min_matches, source.num_measured(), target.num_measured()});
-  std::ranges::move(
-      grown_hypotheses(source, target, tips, seeds, options, part_of(context, kFirst, 1)),
-      std::back_inserter(hypotheses));
+  const Tips sharp = tips;
+  if (std::cmp_less(hypotheses.size(), options.enough)) {
+    append_spread_nodes(source, options.seeds.spread_source_nodes, tips.source);
+    append_spread_nodes(target, options.seeds.spread_target_nodes, tips.target);
+    SeedOptions seeds = options.seeds;
+    seeds.min_matches = std::min({seeds.min_matches, source.num_measured(), target.num_measured()});
+    std::ranges::move(
+        grown_hypotheses(source, target, tips, seeds, options, part_of(context, kFirst, kGrown)),
+        std::back_inserter(hypotheses));
+  }
+  std::ranges::move(posed_hypotheses(source, target, sharp, options, part_of(context, kGrown, 1)),
+                    std::back_inserter(hypotheses));
   return hypotheses;
 }
 

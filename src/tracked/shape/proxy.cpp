@@ -64,6 +64,7 @@ NodeGraph node_graph(const Proxy& proxy, int count) {
   NodeGraph graph;
   graph.cell =
       GeodesicSearch(*proxy.graph).nearest_source(std::span(proxy.nodes).first(count)).nearest;
+  for (int& node : graph.cell) node = std::max(node, 0);  // A component without a node has none.
   const std::vector<int>& nearest = graph.cell;
   graph.cloud.areas.assign(count, 0.0);
   const std::vector<double> areas = vertex_areas(proxy.mesh);

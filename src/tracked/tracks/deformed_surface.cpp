@@ -15,7 +15,9 @@ namespace {
 std::vector<int> nearest_nodes(const Pyramid& pyramid, int nodes) {
   std::vector<int> sources(nodes);
   for (int i = 0; i < nodes; ++i) sources[i] = pyramid.proxy.detail_vertex[pyramid.proxy.nodes[i]];
-  return GeodesicSearch(*pyramid.detail.graph).nearest_source(sources).nearest;
+  std::vector<int> nearest = GeodesicSearch(*pyramid.detail.graph).nearest_source(sources).nearest;
+  for (int& node : nearest) node = std::max(node, 0);  // A component without a node has none.
+  return nearest;
 }
 
 /// Means over a node and those around it, by their distances at rest from a point.
@@ -109,7 +111,8 @@ DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformat
 DeformedSurface deformed_surface(const Proxy& proxy, const elastic::Deformation& deformation,
                                  const elastic::PointCloud& nodes) {
   const auto sources = std::span(proxy.nodes).first(deformation.size());
-  const std::vector<int> nearest = GeodesicSearch(*proxy.graph).nearest_source(sources).nearest;
+  std::vector<int> nearest = GeodesicSearch(*proxy.graph).nearest_source(sources).nearest;
+  for (int& node : nearest) node = std::max(node, 0);  // A component without a node has none.
   const Blend blend(deformation, nodes);
   DeformedSurface result = at_rest(proxy.mesh.vertices, proxy.normals, proxy.features);
   for (std::size_t v = 0; v < nearest.size(); ++v) {
