@@ -85,10 +85,10 @@ void inspect_surface(const ExtractedSurface& surface, MeshDiagnosis& diagnosis) 
 
 std::string component_warning(int components, double share) {
   const std::string others =
-      components == 2 ? "the other is" : fmt::format("the other {} are", components - 1);
+      components == 2 ? "the other follows" : fmt::format("the other {} follow", components - 1);
   const long percent = std::min(99L, std::lround(100 * share));  // never all of several
-  return fmt::format("{} components: the largest ({} % of the area) is matched, {} left unmatched",
-                     components, percent, others);
+  return fmt::format("{} components: the largest ({} % of the area) is matched, {}", components,
+                     percent, others);
 }
 
 /// Less of the area than this says little about the whole.

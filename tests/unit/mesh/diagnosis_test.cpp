@@ -58,8 +58,8 @@ TEST(Diagnosis, ComponentsByArea) {
   EXPECT_EQ(diagnosis.surface.genus(), 0);
   EXPECT_THAT(
       diagnosis.warnings(),
-      ElementsAre("3 components: the largest (76 % of the area) is matched, the other 2 are "
-                  "left unmatched"));
+      ElementsAre("3 components: the largest (76 % of the area) is matched, the other 2 "
+                  "follow"));
 }
 
 TEST(Diagnosis, FacesThatCarryNoSurface) {
