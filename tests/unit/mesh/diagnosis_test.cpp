@@ -56,10 +56,9 @@ TEST(Diagnosis, ComponentsByArea) {
   // Areas are as the squares of the radii, up to rounding.
   EXPECT_NEAR(diagnosis.matchable_area_share, 1 / (1 + 0.25 * 0.25 + 0.5 * 0.5), 1e-12);
   EXPECT_EQ(diagnosis.surface.genus(), 0);
-  EXPECT_THAT(
-      diagnosis.warnings(),
-      ElementsAre("3 components: the largest (76 % of the area) is matched, the other 2 "
-                  "follow"));
+  EXPECT_THAT(diagnosis.warnings(),
+              ElementsAre("3 components: the largest (76 % of the area) is matched, the other 2 "
+                          "follow"));
 }
 
 TEST(Diagnosis, FacesThatCarryNoSurface) {

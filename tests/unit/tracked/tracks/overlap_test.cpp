@@ -143,36 +143,37 @@ Pyramid small_pyramid(const Mesh& mesh, const View& view) {
   return make_pyramid(PreparedShape(mesh, {}), view, kSmall, {});
 }
 
-/// What is left out if one of the middle nodes has no counterpart and its foot is on face 0.
+/// Five points in a row, of which the last two may be left out.
 class LeftOut : public testing::Test {
  protected:
-  double result(const Pyramid& target) const {
-    const elastic::PointCloud& cloud = source_.middle.graph.cloud;
-    elastic::Registration registration;
-    registration.feet.resize(cloud.positions.size());
-    for (elastic::Foot& foot : registration.feet) foot.point.face = 0;
-    return left_out(cloud, inside_, registration, source_, target, {});
-  }
+  double result() const { return left_out({inside_, by_rim_, areas_, row_}, options_); }
 
-  double area() const { return source_.middle.graph.cloud.areas[0]; }
-
-  const Pyramid source_ = small_pyramid(test::sheet(20, 20), {.open = true});
-  std::vector<bool> inside_ = std::vector<bool>(source_.middle.size(), true);
+  const PartialOptions options_;
+  const std::vector<double> areas_{1, 2, 3, 4, 5};
+  const IndexLists row_{{0, 1, 3, 5, 7, 8}, {1, 0, 2, 1, 3, 2, 4, 3}};
+  std::vector<bool> inside_{true, true, true, false, false};
+  std::vector<bool> by_rim_ = std::vector<bool>(5, false);
 };
 
 TEST_F(LeftOut, IsNothingWhereAllIsInside) {
-  EXPECT_EQ(result(source_), 0);
-  inside_.clear();
-  EXPECT_EQ(result(source_), 0);
+  inside_.assign(5, true);
+  EXPECT_EQ(result(), 0);
 }
 
-TEST_F(LeftOut, IsMoreWhereNothingTellsWhy) {
-  inside_[0] = false;
-  const Pyramid closed = small_pyramid(test::icosphere(2), {.open = true});
-  EXPECT_NEAR(result(closed), PartialOptions{}.contradiction_price * area(), 1e-9);
-  // A face of three vertices, all close to the rim.
-  const Pyramid open = small_pyramid(test::sheet(1, 1), {.open = true});
-  EXPECT_NEAR(result(open), area(), 1e-9);
+TEST_F(LeftOut, IsTheAreaOfAPieceThatBeginsByTheRim) {
+  by_rim_[3] = true;
+  EXPECT_DOUBLE_EQ(result(), 9);
+}
+
+TEST_F(LeftOut, CostsMoreWhereNothingTellsWhy) {
+  by_rim_[4] = true;  // Not where the piece begins.
+  EXPECT_DOUBLE_EQ(result(), options_.contradiction_price * 9);
+}
+
+TEST_F(LeftOut, OfAllHasNoBorderThatTellsWhy) {
+  inside_.assign(5, false);
+  by_rim_.assign(5, true);
+  EXPECT_DOUBLE_EQ(result(), options_.contradiction_price * 15);
 }
 
 TEST_F(LeftOut, IsNothingIfItMustBe) {
