@@ -176,11 +176,6 @@ TEST_F(LeftOut, OfAllHasNoBorderThatTellsWhy) {
   EXPECT_DOUBLE_EQ(result(), options_.contradiction_price * 15);
 }
 
-TEST_F(LeftOut, IsNothingIfItMustBe) {
-  inside_[0] = false;
-  EXPECT_EQ(result(small_pyramid(test::sheet(1, 1), {.size = 0.7, .open = true})), 0);
-}
-
 TEST(Part, OfEverythingHasTheEigenvaluesOfTheWhole) {
   const Pyramid whole = small_pyramid(synthesize({.vertices = 1000, .pose = 1}).mesh, {});
   const Part part = part_of_proxy(whole.proxy, whole.middle,
