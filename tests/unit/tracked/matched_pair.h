@@ -31,16 +31,16 @@ inline void expect_point(const SurfacePoint& point, const Shape& shape) {
   EXPECT_NEAR(sum, 1, 1e-9);
 }
 
-/// That every vertex of a surface, and no other vertex, has a point on the other one, and copies at
-/// a seam the same.
+/// That every vertex of a surface has a point on the other one, and copies at a seam the same. Those
+/// of other components may have one.
 inline void expect_whole(const SurfaceMap& map, const Shape& from, const Shape& onto) {
   ASSERT_EQ(std::ssize(map), from.num_vertices());
   for (int v = 0; v < from.num_vertices(); ++v) {
     if (from.on_surface(v)) {
       expect_point(map[v], onto);
       EXPECT_EQ(map[v], map[from.copies(v).front()]);
-    } else {
-      EXPECT_EQ(map[v], SurfacePoint{});
+    } else if (map[v] != SurfacePoint{}) {
+      expect_point(map[v], onto);
     }
   }
 }
@@ -92,7 +92,6 @@ inline void expect_partial(const SurfaceMap& map, const Shape& from, const Shape
   ASSERT_EQ(std::ssize(map), from.num_vertices());
   for (int v = 0; v < from.num_vertices(); ++v) {
     if (map[v] == SurfacePoint{}) continue;
-    EXPECT_TRUE(from.on_surface(v));
     expect_point(map[v], onto);
   }
 }
