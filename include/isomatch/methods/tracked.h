@@ -46,9 +46,9 @@ struct TrackedMap {
   /// Where nothing is missing these are all that are part of the surface.
   SurfaceMap source_to_target, target_to_source;
   /// How sure the point of each source and of each target vertex is, in [0, 1], 0 where there is
-  /// none: of those with .9 nine in ten are within .05 of the truth, in the unit of the pair
-  /// (docs/results/partial.md). What has a near twin may be sure and wrong all the same, see
-  /// `TrackedResult::ambiguity`.
+  /// none and for vertices that are not part of the surface: of those with .9 nine in ten are
+  /// within .05 of the truth, in the unit of the pair (bench/tables/partial.py has a table). What
+  /// has a near twin may be sure and wrong all the same, see `TrackedResult::ambiguity`.
   std::vector<float> source_confidence, target_confidence;
   /// The source's vertices after registration, in the target's coordinates, those without a
   /// counterpart as what is around them moves. Vertices that are not part of the surface follow the

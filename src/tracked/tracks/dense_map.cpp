@@ -76,8 +76,8 @@ SurfacePoints project(const Side& from, const Side& onto, const elastic::Project
 /// How sure points are: logistic in how much the source is strained there, how much of what is
 /// around has a counterpart, and how well the whole fits, what is left out included. The numbers
 /// are those of a logistic regression on whether matches of 27 development pairs (pieces, animals,
-/// people, fused poses) are within .05 of the truth; docs/results/partial.md has how often those of
-/// all pairs are. How far the surfaces are apart did not tell.
+/// people, fused poses) are within .05 of the truth; bench/tables/partial.py tells how often those
+/// of all pairs are. How far the surfaces are apart did not tell.
 std::vector<float> confidence(const Side& from, const Side& onto, const SurfacePoints& map,
                               const Track& track) {
   constexpr double kBias = -12.17, kStrain = -0.37, kInside = 3, kWhole = -1.14;
