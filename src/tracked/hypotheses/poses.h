@@ -25,8 +25,8 @@ struct Pose {
 std::vector<Point> posed(const Pose& pose, std::vector<Point> points);
 
 /// Motions under which much of the source lies on the target, the most first: votes of pairs of
-/// points with normals (Drost et al. 2010), then iterated closest points. Normals have to agree with
-/// their signs. O(source points^2 * target points).
+/// points with normals (Drost et al. 2010), then iterated closest points. Normals have to agree
+/// with their signs. O(source points^2 * target points).
 std::vector<Pose> find_poses(const Proxy& source, const Proxy& target, const PoseOptions& options);
 
 /// The landmarks that a pose takes close to one of the target's.

@@ -31,8 +31,8 @@ inline void expect_point(const SurfacePoint& point, const Shape& shape) {
   EXPECT_NEAR(sum, 1, 1e-9);
 }
 
-/// That every vertex of a surface has a point on the other one, and copies at a seam the same. Those
-/// of other components may have one.
+/// That every vertex of a surface has a point on the other one, and copies at a seam the same.
+/// Those of other components may have one.
 inline void expect_whole(const SurfaceMap& map, const Shape& from, const Shape& onto) {
   ASSERT_EQ(std::ssize(map), from.num_vertices());
   for (int v = 0; v < from.num_vertices(); ++v) {
