@@ -97,6 +97,7 @@ inline void expect_partial(const SurfaceMap& map, const Shape& from, const Shape
 }
 
 /// What holds of shapes as well of which something may be missing: vertices may have no point.
+// NOLINTNEXTLINE(readability-function-size): one expectation after the other.
 inline void expect_sound_parts(const TrackedResult& result, const Shape& source,
                                const Shape& target) {
   ASSERT_FALSE(result.maps.empty());
