@@ -275,21 +275,18 @@ TEST_F(JumbledNumbers, NoVertexStaysNone) {
               ElementsAre(alone_, kUnmatched, first_));
 }
 
-TEST(PositionsAtInput, OthersFollowTheNearestVertexOfTheSurface) {
+TEST(PositionsAtInput, OthersMoveAndTurnWithTheSurface) {
   Mesh mesh = test::sheet(2, 2, 2, 2);
-  // One over the corner (2, 2), which rises, one over the corner (0, 0), which stays.
+  // One over the corner (2, 2), one beside the corner (0, 0).
   mesh.vertices.insert(mesh.vertices.begin(), {Point(2.1, 2.2, 1), Point(-0.5, 0, -1)});
   for (Face& face : mesh.faces)
     for (int& v : face) v += 2;
   const Surface surface = surface_of(mesh);
+  const auto motion = [](const Point& p) { return Point(1 - p.y(), 2 + p.x(), 3 + p.z()); };
   std::vector<Point> positions;
-  for (int v : surface.input_vertex) {
-    const Point& p = mesh.vertices[v];
-    positions.emplace_back(p.x(), p.y(), p.x() + p.y());
-  }
+  for (int v : surface.input_vertex) positions.push_back(motion(mesh.vertices[v]));
   const std::vector<Point> moved = at_input(mesh, surface, positions);
-  EXPECT_TRUE(moved[0].isApprox(Point(2.1, 2.2, 5)));
-  EXPECT_TRUE(moved[1].isApprox(Point(-0.5, 0, -1)));
+  for (int v = 0; v < 2; ++v) EXPECT_TRUE(moved[v].isApprox(motion(mesh.vertices[v]), 1e-9));
   for (int v = 2; v < mesh.num_vertices(); ++v)
     EXPECT_EQ(moved[v], positions[surface.surface_vertex[v]]);
 }
