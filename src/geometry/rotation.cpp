@@ -4,10 +4,16 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <numeric>
 
 #include "isomatch/error.h"
 
 namespace isomatch {
+
+Point mean_of(std::span<const Point> points) {
+  return std::accumulate(points.begin(), points.end(), Point(0, 0, 0)) /
+         static_cast<double>(points.size());
+}
 
 Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& covariance) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,

@@ -8,6 +8,8 @@
 
 namespace isomatch {
 
+Point mean_of(std::span<const Point> points);
+
 /// The rotation R, never a reflection, that turns vectors a_i onto b_i as well as possible: it
 /// minimises the sum of |b_i - R a_i|^2, where `covariance` is the sum of b_i a_i^T (Kabsch 1976).
 /// The identity if the vectors determine none, because all lie on a line.

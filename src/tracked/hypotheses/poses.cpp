@@ -114,12 +114,6 @@ class PairTable {
   std::unordered_map<int, std::vector<TargetPair>> pairs_;
 };
 
-Point mean_of(const std::vector<Point>& points) {
-  Point sum(0, 0, 0);
-  for (const Point& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
 /// A surface on which others may lie.
 class Ground {
  public:

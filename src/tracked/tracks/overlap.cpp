@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <numeric>
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/kd_tree.h"
@@ -14,18 +12,19 @@
 namespace isomatch::tracked {
 namespace {
 
-Point mean_of(const std::vector<Point>& points) {
-  return std::accumulate(points.begin(), points.end(), Point(0, 0, 0)) /
-         static_cast<double>(points.size());
+/// Connected pieces of those that are, or are not, inside.
+DisjointSets pieces_of(const std::vector<bool>& inside, bool which, const IndexLists& neighbours) {
+  DisjointSets pieces(neighbours.size());
+  for (int i = 0; i < neighbours.size(); ++i)
+    for (int j : neighbours[i])
+      if (inside[i] == which && inside[j] == which) pieces.join(i, j);
+  return pieces;
 }
 
 /// Without the pieces that are smaller than a share of all.
 void drop_small_pieces(const std::vector<double>& areas, const IndexLists& neighbours, double share,
                        std::vector<bool>& inside) {
-  DisjointSets pieces(neighbours.size());
-  for (int i = 0; i < neighbours.size(); ++i)
-    for (int j : neighbours[i])
-      if (inside[i] && inside[j]) pieces.join(i, j);
+  DisjointSets pieces = pieces_of(inside, true, neighbours);
   std::vector<double> area(inside.size(), 0.0);
   double total = 0;
   for (std::size_t i = 0; i < inside.size(); ++i) {
@@ -120,10 +119,7 @@ std::vector<bool> inside_after(const elastic::PointCloud& cloud, const IndexList
 }
 
 double left_out(const Sides& left, const PartialOptions& options) {
-  DisjointSets pieces(left.neighbours.size());
-  for (int i = 0; i < left.neighbours.size(); ++i)
-    for (int j : left.neighbours[i])
-      if (!left.inside[i] && !left.inside[j]) pieces.join(i, j);
+  DisjointSets pieces = pieces_of(left.inside, false, left.neighbours);
   struct Piece {
     double area = 0;
     int border = 0, by_rim = 0;

@@ -87,21 +87,16 @@ Track Refinement::begin(const Judged& judged) const {
 
 /// Moves nodes that are out of place, if the surfaces fit better for it.
 void Refinement::mend(Track& track) const {
-  const auto nodes = std::span(target_.proxy.nodes).first(track.target->size());
-  const std::vector<int> nearest =
-      GeodesicSearch(*target_.proxy.graph).nearest_source(nodes).nearest;
   std::vector<int> places;
-  for (int vertex : track.vertices) places.push_back(nearest[vertex]);
+  for (int vertex : track.vertices) places.push_back(track.target->graph.cell[vertex]);
   const std::vector<int> better =
       mended(track.judged.source->proxy, target_.proxy, track.cloud.areas, places,
              track.target->size(), options_.mending);
   if (better == places) return;
   Track other = track;
   for (std::size_t i = 0; i < places.size(); ++i)
-    if (better[i] != places[i]) other.vertices[i] = nodes[better[i]];
-  advance(other, middle_surface_, options_.mending.registration);
-  run_round(other, options_.middle_rounds() - 1);
-  if (other.cost() < track.cost()) track = std::move(other);
+    if (better[i] != places[i]) other.vertices[i] = target_.proxy.nodes[better[i]];
+  replace_if_better(track, std::move(other));
 }
 
 /// Nodes that were left out without a reason get the places that agree best with all others, if the
@@ -109,7 +104,7 @@ void Refinement::mend(Track& track) const {
 void Refinement::extend(Track& track) const {
   weigh_left_out(track);
   Hypothesis known;
-  const std::vector<int> cell = track.target->graph.cell;
+  const std::vector<int>& cell = track.target->graph.cell;
   for (int i = 0; i < track.source->size(); ++i) {
     if (!track.cloud.inside[i]) continue;
     known.source_nodes.push_back(i);
@@ -127,7 +122,11 @@ void Refinement::extend(Track& track) const {
     other.vertices[i] = vertex;
     other.cloud.inside[i] = any = true;
   }
-  if (!any) return;
+  if (any) replace_if_better(track, std::move(other));
+}
+
+/// The other track, whose nodes have new places, if the surfaces fit better after a round.
+void Refinement::replace_if_better(Track& track, Track other) const {
   advance(other, middle_surface_, options_.mending.registration);
   run_round(other, options_.middle_rounds() - 1);
   weigh_left_out(other);

@@ -72,6 +72,7 @@ class Refinement {
   Track registered(const Judged& judged, const Level& source, const Level& target) const;
   void mend(Track& track) const;
   void extend(Track& track) const;
+  void replace_if_better(Track& track, Track other) const;
   std::vector<int> spectral_step(Track& track, const Level& wanted, int round) const;
   static std::vector<Point> carried(const Track& track, const Level& wanted);
   std::vector<int> overlap_step(Track& track, const Level& wanted, int round) const;

@@ -66,6 +66,15 @@ inline void expect_covering(const Correspondence& relation, const Shape& source,
   EXPECT_EQ(std::ranges::adjacent_find(relation), relation.end());
 }
 
+inline void expect_sound_figures(const TrackedMap& map, const Shape& source) {
+  ASSERT_EQ(std::ssize(map.registered), source.num_vertices());
+  for (const Point& p : map.registered) EXPECT_TRUE(p.allFinite());
+  for (const double figure : {map.energy, map.distance, map.deviation, map.distortion}) {
+    EXPECT_GE(figure, -1e-12);  // 1 - cosine rounds.
+    EXPECT_TRUE(std::isfinite(figure));
+  }
+}
+
 /// That the result keeps its promises, however good the map is.
 // NOLINTNEXTLINE(readability-function-size): one expectation after the other.
 inline void expect_sound(const TrackedResult& result, const Shape& source, const Shape& target) {
@@ -74,12 +83,7 @@ inline void expect_sound(const TrackedResult& result, const Shape& source, const
     expect_whole(map.source_to_target, source, target);
     expect_whole(map.target_to_source, target, source);
     expect_covering(matches(source, target, map), source, target);
-    ASSERT_EQ(std::ssize(map.registered), source.num_vertices());
-    for (const Point& p : map.registered) EXPECT_TRUE(p.allFinite());
-    for (const double figure : {map.energy, map.distance, map.deviation, map.distortion}) {
-      EXPECT_GE(figure, -1e-12);  // 1 - cosine rounds.
-      EXPECT_TRUE(std::isfinite(figure));
-    }
+    expect_sound_figures(map, source);
   }
   EXPECT_GE(result.ambiguity, 0);
   EXPECT_LE(result.ambiguity, 1);
@@ -97,7 +101,6 @@ inline void expect_partial(const SurfaceMap& map, const Shape& from, const Shape
 }
 
 /// What holds of shapes as well of which something may be missing: vertices may have no point.
-// NOLINTNEXTLINE(readability-function-size): one expectation after the other.
 inline void expect_sound_parts(const TrackedResult& result, const Shape& source,
                                const Shape& target) {
   ASSERT_FALSE(result.maps.empty());
@@ -108,12 +111,7 @@ inline void expect_sound_parts(const TrackedResult& result, const Shape& source,
       EXPECT_TRUE(source.on_surface(match.source));
       EXPECT_TRUE(target.on_surface(match.target));
     }
-    ASSERT_EQ(std::ssize(map.registered), source.num_vertices());
-    for (const Point& p : map.registered) EXPECT_TRUE(p.allFinite());
-    for (const double figure : {map.energy, map.distance, map.deviation, map.distortion}) {
-      EXPECT_GE(figure, -1e-12);  // 1 - cosine rounds.
-      EXPECT_TRUE(std::isfinite(figure));
-    }
+    expect_sound_figures(map, source);
   }
   EXPECT_GE(result.ambiguity, 0);
   EXPECT_LE(result.ambiguity, 1);
