@@ -121,14 +121,15 @@ if [ "$viewer" = true ] && [ "$lint" = true ]; then
 fi
 check "build" scripts/build.sh "$preset" || exit 1
 conclude
-if [ "$preset" = dev ]; then begin "demo" ./demo.sh; fi
-begin "glTF validator" scripts/validate_gltf.sh "$program"
+# The browser goes first: its tests say how long a page takes.
+if [ "$preset" = dev ]; then begin "demo" nice ./demo.sh; fi
+begin "glTF validator" nice scripts/validate_gltf.sh "$program"
 if [ "$preset" = dev ]; then
-  begin "documentation" scripts/build_docs.sh "$program"
+  begin "documentation" nice scripts/build_docs.sh "$program"
   if [ "$viewer" = true ]; then
     ISOMATCH_PROGRAM=$program begin "viewer in a browser" npm --prefix viewer run test:browser
   fi
 fi
-if [ "$lint" = true ]; then check "clang-tidy" scripts/lint.sh tidy "$preset" || true; fi
+if [ "$lint" = true ]; then check "clang-tidy" nice scripts/lint.sh tidy "$preset" || true; fi
 conclude
 run_tests
