@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "command.h"
@@ -11,6 +13,7 @@
 #include "place_options.h"
 #include "program/say.h"
 #include "results/drawing/drawable.h"
+#include "results/drawing/pair_confidence.h"
 #include "results/drawing/pair_view.h"
 #include "results/files/materials.h"
 #include "results/files/outputs.h"
@@ -18,6 +21,7 @@
 #include "results/folder/result.h"
 #include "results/picture/pair.h"
 #include "results/picture/position_colors.h"
+#include "results/picture/viridis.h"
 
 namespace isomatch::cli {
 namespace {
@@ -28,6 +32,7 @@ struct RenderArguments {
   std::string folder, output, background = "white";
   results::MeshPlaces places;
   results::ViewOptions view;
+  std::string color = "map";
   std::size_t alternative = 0;
   /// Files of the source and the target.
   std::vector<std::string> textures;
@@ -35,14 +40,43 @@ struct RenderArguments {
   bool quiet = false;
 };
 
+struct PairColors {
+  std::vector<Color> source, target;
+};
+
 std::vector<Color> target_colors(const results::MatchResult& result,
+                                 const std::vector<bool>& matched,
                                  const picture::PositionColors& color) {
-  const std::vector<bool> matched =
-      results::matched_targets(result.target, results::load_relation(result));
   std::vector<Color> colors;
   for (int v = 0; v < result.target.num_vertices(); ++v)
     colors.push_back(matched[v] ? color(result.target.vertices[v]) : picture::kUnmatchedColor);
   return colors;
+}
+
+std::vector<Color> scale_colors(const std::vector<float>& shares) {
+  std::vector<Color> colors;
+  for (float share : shares)
+    colors.push_back(std::isnan(share) ? picture::kUnmatchedColor : picture::viridis(share));
+  return colors;
+}
+
+PairColors confidence_colors(const results::MatchResult& result, const results::ResultMap& map,
+                             const std::vector<bool>& matched) {
+  const std::optional<results::PairConfidence> confidence =
+      results::pair_confidence(result, map, matched);
+  if (!confidence)
+    throw BadFile(result.folder,
+                  "has no source_confidence.txt, which only the tracked method writes");
+  return {scale_colors(confidence->source), scale_colors(confidence->target)};
+}
+
+PairColors pair_colors(const results::MatchResult& result, const results::ResultMap& map,
+                       const results::PairView& view, const std::string& kind) {
+  const std::vector<bool> matched =
+      results::matched_targets(result.target, results::load_relation(result));
+  if (kind == "confidence") return confidence_colors(result, map, matched);
+  const picture::PositionColors color(view.target, result.target.vertices);
+  return {results::source_colors(result, map, color), target_colors(result, matched, color)};
 }
 
 Color background_color(const std::string& name) {
@@ -93,11 +127,10 @@ picture::Image draw_textures(const results::MatchResult& result, const results::
 
 picture::Image draw_map(const results::MatchResult& result, const results::ResultMap& map,
                         const results::PairView& view, const RenderArguments& arguments) {
-  const picture::PositionColors color(view.target, result.target.vertices);
-  return picture::draw_pair(
-      {result.source, results::source_colors(result, map, color), view.source},
-      {result.target, target_colors(result, color), view.target}, arguments.width,
-      background_color(arguments.background));
+  PairColors colors = pair_colors(result, map, view, arguments.color);
+  return picture::draw_pair({result.source, std::move(colors.source), view.source},
+                            {result.target, std::move(colors.target), view.target}, arguments.width,
+                            background_color(arguments.background));
 }
 
 void run_render(const RenderArguments& arguments) {
@@ -135,7 +168,8 @@ void add_view_options(CLI::App& command, RenderArguments& arguments) {
 
 void add_render(CLI::App& app, Request& request) {
   const auto arguments = std::make_shared<RenderArguments>();
-  CLI::App& command = *app.add_subcommand("render", "Draw a result: colours carried by the map");
+  CLI::App& command =
+      *app.add_subcommand("render", "Draw a result: colours carried by the map, or its confidence");
   command.add_option("DIR", arguments->folder, "Folder that `isomatch match` wrote")->required();
   command.add_option("-o,--output", arguments->output, "Picture, a .png file")
       ->type_name("FILE")
@@ -144,13 +178,22 @@ void add_render(CLI::App& app, Request& request) {
       .add_option("--alternative", arguments->alternative,
                   "Draw this alternative instead of the best map")
       ->type_name("N");
+  CLI::Option* const color =
+      command
+          .add_option(
+              "--color", arguments->color,
+              "What colours show: the target's places, carried over by the map, or how sure "
+              "each point is, from violet, not at all, to yellow; unmatched is grey")
+          ->check(CLI::IsMember({"map", "confidence"}))
+          ->capture_default_str();
   command
       .add_option(
           "--textures", arguments->textures,
           "Draw these textures instead: SOURCE, and the TARGET that `transfer` made; PNG or "
           "JPEG images, a checkerboard without")
       ->type_name("FILE")
-      ->expected(2);
+      ->expected(2)
+      ->excludes(color);
   add_places(command, arguments->places);
   add_view_options(command, *arguments);
   add_quiet_option(command, request);

@@ -12,7 +12,6 @@
 #include "bindings.h"
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
-#include "isomatch/io/values_io.h"
 #include "isomatch/mesh/topology.h"
 #include "results/files/written_files.h"
 #include "results/folder/levels.h"
@@ -85,13 +84,8 @@ std::vector<Point> registered_of(const MatchResult& folder, const results::Resul
 }
 
 /// Of the vertices of a shape; 0 where no file tells.
-std::vector<float> confidence_of(const MatchResult& folder, const results::ResultMap& map,
-                                 const std::string& side, const MatchInput& input) {
-  const std::string path =
-      folder.path((fs::path(map.folder) / (side + "_confidence.txt")).string());
-  if (!fs::exists(path)) return std::vector<float>(input.shape.num_vertices(), 0.0F);
-  const Eigen::VectorXf values = read_values(path, input.shape.num_vertices()).col(0).cast<float>();
-  return {values.data(), values.data() + values.size()};
+std::vector<float> confidence_of(const std::vector<float>& told, const MatchInput& input) {
+  return told.empty() ? std::vector<float>(input.shape.num_vertices(), 0.0F) : told;
 }
 
 TrackedMap to_map(const MatchResult& folder, const results::MatchInputs& inputs, std::size_t number,
@@ -107,8 +101,8 @@ TrackedMap to_map(const MatchResult& folder, const results::MatchInputs& inputs,
     map.target_to_source = inverse_of(folder, source, target);
   else
     map.target_to_source.resize(target.shape.num_vertices());
-  map.source_confidence = confidence_of(folder, from, "source", source);
-  map.target_confidence = confidence_of(folder, from, "target", target);
+  map.source_confidence = confidence_of(from.source_confidence, source);
+  map.target_confidence = confidence_of(from.target_confidence, target);
   from_report(folder, [&](const Json& report) {
     const Json& figures = number == 0 ? report.at("map") : report.at("alternatives").at(number - 1);
     map.energy = figures.at("energy");

@@ -10,6 +10,7 @@
 #include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
+#include "isomatch/io/values_io.h"
 #include "results/files/written_files.h"
 
 namespace isomatch::results {
@@ -56,6 +57,13 @@ Mesh read_matched_mesh(const Json& report, const char* side, const std::string& 
   return mesh;
 }
 
+/// Empty if there is no such file.
+std::vector<float> load_confidence(const std::string& path, const Mesh& mesh) {
+  if (!fs::exists(path)) return {};
+  const Eigen::VectorXf values = read_values(path, mesh.num_vertices()).col(0).cast<float>();
+  return {values.data(), values.data() + values.size()};
+}
+
 ResultMap load_map(const MatchResult& result, const std::string& folder) {
   const auto file = [&](const char* name) {
     return result.path((fs::path(folder) / name).string());
@@ -68,6 +76,8 @@ ResultMap load_map(const MatchResult& result, const std::string& folder) {
   const std::string bary = file("source_to_target.bary.txt");
   map.points = fs::exists(bary) ? read_map(bary, checks).points
                                 : corner_points(result.target, map.source_to_target);
+  map.source_confidence = load_confidence(file("source_confidence.txt"), result.source);
+  map.target_confidence = load_confidence(file("target_confidence.txt"), result.target);
   const std::string registered = file("registered.ply");
   if (!fs::exists(registered)) return map;
   map.registered = read_mesh(registered).vertices;

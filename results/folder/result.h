@@ -23,6 +23,8 @@ struct ResultMap {
   SurfaceMap points;
   /// The source's vertices in the target's pose; empty if the method does not register.
   std::vector<Point> registered;
+  /// How sure the points of the vertices are, in [0, 1]; empty if the folder does not tell.
+  std::vector<float> source_confidence = {}, target_confidence = {};
 
   bool is_matched(int source_vertex) const { return points[source_vertex].face >= 0; }
 };

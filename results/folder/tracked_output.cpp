@@ -45,9 +45,9 @@ void write_map(ResultFolder& folder, const TrackedRun& run, std::size_t k) {
     const SurfaceMap& inverse = run.result.maps[k].target_to_source;
     write_points(folder, place + "target_to_source", nearest_vertices(source, inverse), inverse);
   }
-  write_confidence(folder, place + "source_confidence.txt", run.result.maps[k].source_confidence);
+  write_confidence(folder, place + "source_confidence.txt", map.source_confidence);
   if (run.target_to_source)
-    write_confidence(folder, place + "target_confidence.txt", run.result.maps[k].target_confidence);
+    write_confidence(folder, place + "target_confidence.txt", map.target_confidence);
   write_mesh(folder.add(place + "registered.ply"), {map.registered, source.faces});
 }
 
@@ -160,8 +160,11 @@ int matched_vertices(const TrackedMap& map) { return count_points(map.source_to_
 ResultMap result_map(const TrackedRun& run, std::size_t k) {
   const TrackedMap& map = run.result.maps[k];
   return {k == 0 ? "" : alternative_folder(k),
-          nearest_vertices(run.inputs.target.mesh(), map.source_to_target), map.source_to_target,
-          map.registered};
+          nearest_vertices(run.inputs.target.mesh(), map.source_to_target),
+          map.source_to_target,
+          map.registered,
+          map.source_confidence,
+          run.target_to_source ? map.target_confidence : std::vector<float>{}};
 }
 
 Correspondence relation(const TrackedRun& run) {

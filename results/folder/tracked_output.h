@@ -33,6 +33,7 @@ std::vector<std::string> doubts(const TrackedRun& run);
 /// - source_to_target.txt: the nearest target vertex of every source vertex;
 /// - source_to_target.bary.txt: the target face of every source vertex, and the weights;
 /// - target_to_source.txt and .bary.txt: the same the other way round, if asked for;
+/// - source_confidence.txt, and target_confidence.txt with the inverse: how sure each point is;
 /// - registered.ply: the source in the target's pose;
 /// - correspondence.txt: the many-to-many relation of the best map;
 /// - alternatives/K/: the maps of the alternatives, from 1, under the same names;

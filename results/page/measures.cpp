@@ -8,6 +8,7 @@
 #include "geometry/kd_tree.h"
 #include "isomatch/error.h"
 #include "isomatch/measure/metrics.h"
+#include "isomatch/mesh/topology.h"
 #include "results/loaded_mesh.h"
 
 namespace isomatch::results {
@@ -48,8 +49,8 @@ GroundTruth load_truth(const Shapes& shapes, const TruthFiles& files) {
   return truth;
 }
 
-/// Gives vertices of the surface without an error that of the nearest vertex with one.
-void spread(const Shape& source, std::vector<double>& errors) {
+/// Gives matched vertices of the surface without an error that of the nearest vertex with one.
+void spread(const Shape& source, const SurfaceMap& map, std::vector<double>& errors) {
   const Mesh& mesh = source.mesh();
   std::vector<Point> places;
   std::vector<double> known;
@@ -62,7 +63,7 @@ void spread(const Shape& source, std::vector<double>& errors) {
   const KdTree<3> tree(places);
   for (std::size_t v = 0; v < errors.size(); ++v) {
     std::array<int, 1> nearest{};
-    if (std::isnan(errors[v]) && source.on_surface(static_cast<int>(v)) &&
+    if (std::isnan(errors[v]) && map[v].face != kNoFace && source.on_surface(static_cast<int>(v)) &&
         tree.nearest(mesh.vertices[v], nearest) > 0)
       errors[v] = known[nearest[0]];
   }
@@ -71,7 +72,7 @@ void spread(const Shape& source, std::vector<double>& errors) {
 std::vector<double> measured_error(const Shapes& shapes, const SurfaceMap& map,
                                    const GroundTruth& truth, const Context& context) {
   std::vector<double> errors = vertex_errors(shapes.source, shapes.target, truth, map, context);
-  spread(shapes.source, errors);
+  spread(shapes.source, map, errors);
   return errors;
 }
 

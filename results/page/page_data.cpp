@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/kd_tree.h"
 #include "results/drawing/drawable.h"
+#include "results/drawing/nearest_images.h"
+#include "results/drawing/pair_confidence.h"
 #include "results/page/array_packer.h"
 #include "results/page/display_mesh.h"
 
@@ -18,6 +19,7 @@ using Values = std::vector<std::uint32_t>;
 using Layout = ArrayPacker::Layout;
 
 constexpr std::uint32_t kNone = 65535;
+constexpr std::uint32_t kNoByte = 255;
 
 Json to_json(const Point& point) { return {point.x(), point.y(), point.z()}; }
 
@@ -68,6 +70,16 @@ class Packing {
     return largest;
   }
 
+  /// Shares of one as 8-bit steps.
+  void add_shares(const std::string& name, const std::vector<float>& shares) {
+    Values steps;
+    for (float share : shares)
+      steps.push_back(std::isnan(share) ? kNoByte
+                                        : static_cast<std::uint32_t>(
+                                              std::lround(254 * std::clamp(share, 0.0F, 1.0F))));
+    packer_.add(name, steps, 1);
+  }
+
   Json add_mesh(const std::string& name, const Mesh& given, const DisplayMesh& display,
                 const Eigen::Matrix3d& view) {
     packer_.add(name + "/numbers", Values(display.input_vertex.begin(), display.input_vertex.end()),
@@ -105,28 +117,16 @@ class Packing {
   DisplayMesh source_, target_;
 };
 
-/// The shown source vertex, plus one, whose image is nearest to each shown target vertex; 0 where
-/// the target is unmatched.
-Values partners_of_targets(const Packing& packing, const std::vector<Point>& image,
-                           const Values& partners, const std::vector<bool>& target_matched) {
-  std::vector<Point> places;
-  Values sources;
-  for (std::size_t v = 0; v < image.size(); ++v) {
-    if (partners[v] == 0) continue;
-    places.push_back(image[v]);
-    sources.push_back(static_cast<std::uint32_t>(v) + 1);
-  }
-  const DisplayMesh& target = packing.target();
-  Values result(target.input_vertex.size(), 0);
-  if (places.empty()) return result;
-  const KdTree<3> tree(places);
-  for (std::size_t t = 0; t < result.size(); ++t) {
-    std::array<int, 1> nearest{};
-    if (target_matched[target.input_vertex[t]] &&
-        tree.nearest(target.mesh.vertices[t], nearest) > 0)
-      result[t] = sources[nearest[0]];
-  }
-  return result;
+/// Whether there is any.
+bool add_confidence(Packing& packing, const MatchResult& result, const ResultMap& map,
+                    const std::vector<bool>& target_matched, const std::string& name) {
+  const std::optional<PairConfidence> confidence = pair_confidence(result, map, target_matched);
+  if (!confidence) return false;
+  packing.add_shares(name + "/source_confidence",
+                     packing.at_shown(packing.source(), confidence->source));
+  packing.add_shares(name + "/target_confidence",
+                     packing.at_shown(packing.target(), confidence->target));
+  return true;
 }
 
 Json add_map(Packing& packing, const MatchResult& result, const ResultMap& map,
@@ -134,14 +134,18 @@ Json add_map(Packing& packing, const MatchResult& result, const ResultMap& map,
              const std::string& name) {
   const DisplayMesh& source = packing.source();
   std::vector<Point> image = packing.at_shown(source, images(result.target, map));
+  const VertexMap shown_map = packing.at_shown(source, map.source_to_target);
   Values partners;
   for (std::size_t v = 0; v < image.size(); ++v) {
-    const int t = map.source_to_target[source.input_vertex[v]];
+    const int t = shown_map[v];
     partners.push_back(t == kUnmatched ? 0 : packing.target().shown_vertex[t] + 1);
     // A place that does not stretch the bounding box.
     if (t == kUnmatched) image[v] = result.target.vertices.front();
   }
-  const Values back = partners_of_targets(packing, image, partners, target_matched);
+  Values back;
+  for (int v : nearest_images(image, shown_map, packing.target().mesh.vertices,
+                              packing.at_shown(packing.target(), target_matched)))
+    back.push_back(v == kUnmatched ? 0 : v + 1);
   Json json{{"folder", map.folder}, {"image", packing.add_points(name + "/image", image)}};
   packing.packer().add(name + "/partner", partners, 4, Layout::kDelta);
   packing.packer().add(name + "/back", back, 4, Layout::kDelta);
@@ -153,6 +157,7 @@ Json add_map(Packing& packing, const MatchResult& result, const ResultMap& map,
   if (!measures.error.empty())
     json["error_max"] =
         packing.add_distances(name + "/error", packing.at_shown(source, measures.error));
+  json["confidence"] = add_confidence(packing, result, map, target_matched, name);
   return json;
 }
 

@@ -54,6 +54,21 @@ TEST_F(Render, DrawsAResultOfEitherMethod) {
   }
 }
 
+TEST_F(Render, DrawsHowSureAMapIs) {
+  match();
+  ASSERT_EQ(render().exit_code, 0);
+  const std::string map = bytes("picture.png");
+  const Outcome outcome = render({"--color", "confidence"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(bytes("picture.png"), StartsWith(std::string(kPngSignature)));
+  EXPECT_NE(bytes("picture.png"), map);
+}
+
+TEST_F(Render, ThePapersMethodDoesNotTellHowSureItIs) {
+  match({"--method", "paper"});
+  EXPECT_THAT(refusal({"--color", "confidence"}), HasSubstr("has no source_confidence.txt"));
+}
+
 TEST_F(Render, TheReportSaysHowToRepeatTheRun) {
   match();
   const nlohmann::json report = json("out/report.json");
@@ -184,6 +199,7 @@ TEST_F(Render, BadOptionsAreRefused) {
   match();
   EXPECT_THAT(refusal({"--alternative", "7"}), HasSubstr("no alternative 7"));
   EXPECT_THAT(refusal({"--up", "w"}), HasSubstr("--up"));
+  EXPECT_THAT(refusal({"--color", "rainbow"}), HasSubstr("--color"));
   EXPECT_THAT(refusal({"--width", "5"}), HasSubstr("--width"));
 }
 

@@ -68,6 +68,7 @@ TEST_F(ReportWithPage, ShowsAMatchByTheTrackedMethod) {
   EXPECT_LT(largest(page["maps"][0], "d_iso_max"), 0.5);
   EXPECT_GT(largest(page["maps"][0], "error_max"), 0);
   EXPECT_LT(largest(page["maps"][0], "error_max"), 3);
+  EXPECT_EQ(page["maps"][0]["confidence"], true);
 }
 
 TEST_F(ReportWithPage, ShowsTheLevelsOfThePaper) {
@@ -78,6 +79,7 @@ TEST_F(ReportWithPage, ShowsTheLevelsOfThePaper) {
   ASSERT_EQ(page["levels"].size(), 4U);
   for (int k = 0; k < 4; ++k) EXPECT_EQ(page["levels"][k]["matches"], levels[k]["matches"]);
   EXPECT_FALSE(page["maps"][0].contains("registered"));
+  EXPECT_EQ(page["maps"][0]["confidence"], false);
   EXPECT_EQ(page["truth"], nullptr);
 }
 

@@ -1,6 +1,7 @@
 import type { Side } from './data/result';
 
-export type Coloring = 'map' | 'checker' | 'd_iso' | 'error' | 'curvature' | 'patches';
+export type Coloring =
+  'map' | 'checker' | 'confidence' | 'd_iso' | 'error' | 'curvature' | 'patches';
 export type Layout = 'pair' | 'overlay';
 
 export interface Point {

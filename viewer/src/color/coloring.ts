@@ -11,6 +11,8 @@ export interface Range {
   scale: Scale;
   low: number;
   high: number;
+  /** What is above `high` has its colour. */
+  open: boolean;
 }
 
 export interface Colors {
@@ -53,10 +55,15 @@ function byMap(result: Result, state: State): Colors {
 function bySourceValue(result: Result, state: State, values: Float32Array): Colors {
   // A few bad vertices must not make everything else look the same.
   const high = quantile(sorted(values), 0.98) || Math.max(0, quantile(sorted(values), 1)) || 1;
-  const range = { scale: viridis, low: 0, high };
+  const range = { scale: viridis, low: 0, high, open: true };
   const { back } = result.map(state.map);
   const carried = Float32Array.from(back, (v) => (v === NONE ? NaN : values[v]!));
   return { source: paint(values, range), target: paint(carried, range), range };
+}
+
+function byConfidence({ source, target }: Record<Side, Float32Array>): Colors {
+  const range = { scale: viridis, low: 0, high: 1, open: false };
+  return { source: paint(source, range), target: paint(target, range), range };
 }
 
 const curvatures = new WeakMap<Shape, Float32Array>();
@@ -71,7 +78,7 @@ function byCurvature(result: Result): Colors {
   const source = curvatureOf(result.source);
   const target = curvatureOf(result.target);
   const high = quantile(sorted(source).map(Math.abs).sort(), 0.8) || 1;
-  const range = { scale: diverging, low: -high, high };
+  const range = { scale: diverging, low: -high, high, open: false };
   return { source: paint(source, range), target: paint(target, range), range };
 }
 
@@ -121,6 +128,8 @@ function byPatches(result: Result, state: State, patches: Patches): Colors {
 export function colorsOf(result: Result, state: State, patches: Patches): Colors {
   const map = result.map(state.map);
   switch (state.coloring) {
+    case 'confidence':
+      return map.confidence ? byConfidence(map.confidence) : byMap(result, state);
     case 'd_iso':
       return bySourceValue(result, state, map.dIso);
     case 'error':

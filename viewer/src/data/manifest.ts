@@ -24,6 +24,8 @@ export interface MapEntry {
   registered?: Box;
   d_iso_max: number;
   error_max?: number;
+  /** Whether the method tells how sure it is. */
+  confidence: boolean;
 }
 
 export interface LevelEntry {

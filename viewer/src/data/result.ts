@@ -19,7 +19,7 @@ export interface Shape {
 
 export const NONE = -1;
 
-/** A map, by the source's vertices; NaN is what was not measured. */
+/** A map, by the source's vertices; NaN is what was not measured or has no match. */
 export interface ShapeMap {
   /** Nearest target vertex or `NONE`. */
   partner: Int32Array;
@@ -35,6 +35,8 @@ export interface ShapeMap {
   isRegistered: boolean;
   dIso: Float32Array;
   error: Float32Array | null;
+  /** How sure the points of both shapes' vertices are, in [0, 1]. */
+  confidence: Record<Side, Float32Array> | null;
 }
 
 export interface Level {
@@ -47,6 +49,7 @@ export interface Level {
 type Placing = { rotation: number[]; centre: Triple; scale: number };
 
 const NOT_MEASURED = 65535;
+const NO_SHARE = 255;
 
 function decodePoints(steps: Uint32Array, box: Box): Float32Array {
   const count = steps.length / 3;
@@ -64,6 +67,9 @@ function decodeDistances(steps: Uint32Array, largest: number): Float32Array {
     distances[v] = steps[v] === NOT_MEASURED ? NaN : (steps[v]! / 65534) * largest;
   return distances;
 }
+
+const decodeShares = (steps: Uint32Array): Float32Array =>
+  Float32Array.from(steps, (step) => (step === NO_SHARE ? NaN : step / 254));
 
 const decodeIndices = (plusOne: Uint32Array): Int32Array =>
   Int32Array.from(plusOne, (value) => value - 1);
@@ -207,6 +213,12 @@ export class Result {
       dIso: decodeDistances(array('d_iso'), entry.d_iso_max),
       error:
         entry.error_max === undefined ? null : decodeDistances(array('error'), entry.error_max),
+      confidence: entry.confidence
+        ? {
+            source: decodeShares(array('source_confidence')),
+            target: decodeShares(array('target_confidence')),
+          }
+        : null,
     };
   }
 }

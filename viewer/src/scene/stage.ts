@@ -123,8 +123,9 @@ export class Stage {
     const colors = colorsOf(this.result, state, this.patches);
     const squares = state.coloring === 'checker' ? CHECKER_SQUARES : 0;
     this.colors = colors;
-    this.surfaces.source.setColors(colors.source, this.result.map(state.map).place);
-    this.surfaces.target.setColors(colors.target, this.result.target.place!);
+    const { place, partner, back } = this.result.map(state.map);
+    this.surfaces.source.setColors(colors.source, place, partner);
+    this.surfaces.target.setColors(colors.target, this.result.target.place!, back);
     for (const surface of Object.values(this.surfaces)) surface.setChecker(squares);
     this.onColors(colors);
   }

@@ -1,9 +1,10 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial } from 'three';
-import type { Shape } from '../data/result';
+import { NONE, type Shape } from '../data/result';
 
 const VERTEX = `
   attribute vec3 color;
   attribute vec3 place;
+  attribute float matched;
   attribute vec3 moved;
   attribute vec3 movedNormal;
   uniform float morph;
@@ -11,9 +12,11 @@ const VERTEX = `
   varying vec3 vColor;
   varying vec3 vPlace;
   varying vec3 vNormal;
+  varying float vMatched;
   void main() {
     vColor = color;
     vPlace = place;
+    vMatched = matched;
     vNormal = normalMatrix * mix(normal, movedNormal, morph);
     vec4 seen = modelViewMatrix * vec4(mix(position, moved, morph), 1.0);
     seen.z -= retreat;
@@ -28,6 +31,7 @@ const FRAGMENT = `
   varying vec3 vColor;
   varying vec3 vPlace;
   varying vec3 vNormal;
+  varying float vMatched;
   void main() {
     float size = length(vNormal);
     vec3 normal = size > 0.0 ? vNormal / size : vec3(0.0, 0.0, 1.0);
@@ -35,7 +39,7 @@ const FRAGMENT = `
     vec3 light = normalize(vec3(-0.4, 0.7, 1.0));
     float shade = 0.22 + 0.6 * max(0.0, dot(normal, light)) + 0.25 * normal.z;
     vec3 color = vColor;
-    if (checker > 0.0) {
+    if (checker > 0.0 && vMatched > 0.999) {
       vec2 cell = floor(vPlace.xy * checker);
       color = mod(cell.x + cell.y, 2.0) < 0.5 ? color * 0.3 : mix(color, vec3(1.0), 0.35);
     }
@@ -70,11 +74,18 @@ export class Surface {
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
-    this.setColors(new Float32Array(shape.position.length), shape.position);
+    this.setColors(
+      new Float32Array(shape.position.length),
+      shape.position,
+      new Int32Array(shape.count),
+    );
   }
 
-  /** `place` is where the checkerboard takes its squares from. */
-  setColors(colors: Float32Array, place: Float32Array): void {
+  /** `place` is where the checkerboard takes its squares from; there are none at vertices without
+   * a `partner`. */
+  setColors(colors: Float32Array, place: Float32Array, partner: Int32Array): void {
+    const matched = Float32Array.from(partner, (v) => (v === NONE ? 0 : 1));
+    this.mesh.geometry.setAttribute('matched', new BufferAttribute(matched, 1));
     this.mesh.geometry.setAttribute('color', new BufferAttribute(colors, 3));
     this.mesh.geometry.setAttribute('place', new BufferAttribute(place, 3));
   }

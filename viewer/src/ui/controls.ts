@@ -24,6 +24,11 @@ const COLORINGS: ColoringChoice[] = [
     help: 'A checkerboard projected onto the target and carried to the source by the map. Squares that are bent, stretched or broken on the source only are errors of the map or real differences of the shapes.',
   },
   {
+    value: 'confidence',
+    name: 'Confidence',
+    help: 'How sure each point is: about the probability that its match is within .05 of the truth, 1 being the square root of the area. Bright is sure; grey has no match. What has a near twin may be sure and wrong all the same.',
+  },
+  {
     value: 'd_iso',
     name: 'Distortion',
     help: 'Isometric distortion d_iso of each vertex: how much its distances along the surface to other matched points differ between the shapes, over the largest distance. Bright is bad.',
@@ -46,6 +51,7 @@ const COLORINGS: ColoringChoice[] = [
 ];
 
 const available = (result: Result, choice: Coloring): boolean =>
+  (choice !== 'confidence' || result.map(0).confidence !== null) &&
   (choice !== 'error' || result.map(0).error !== null) &&
   (choice !== 'patches' || result.numLevels > 0);
 

@@ -16,14 +16,13 @@ export class Legend {
     const range = colors?.range;
     if (range) {
       const stops = Array.from({ length: STEPS + 1 }, (_, i) => css(range.scale(i / STEPS)));
-      const open = coloring === 'curvature' ? '' : '≥ ';
       this.element.append(
         h(
           'div',
           { class: 'scale' },
           h('span', {}, number(range.low)),
           h('i', { style: `background:linear-gradient(90deg,${stops.join(',')})` }),
-          h('span', {}, open + number(range.high)),
+          h('span', {}, (range.open ? '≥ ' : '') + number(range.high)),
         ),
       );
     }

@@ -24,6 +24,7 @@ export function describePoint(result: Result, state: State, point: Point): strin
   const source = point.side === 'source' ? point.vertex : partner;
   const parts = [`${own} ↔ ${other} vertex ${result.shape(other).numbers[partner]}`];
   parts.push(`d_iso ${number(map.dIso[source]!)}`);
+  if (map.confidence) parts.push(`confidence ${number(map.confidence[point.side][point.vertex]!)}`);
   if (map.error) parts.push(`ground-truth error ${number(map.error[source]!)} of √area`);
   return parts.join('  ·  ');
 }

@@ -131,11 +131,22 @@ describe('a synthetic pair of 16k vertices, by the tracked method', () => {
   });
 
   it('has other colours for each choice', async () => {
-    for (const value of ['checker', 'd_iso', 'error', 'curvature', 'map'])
+    for (const value of ['checker', 'confidence', 'd_iso', 'error', 'curvature', 'map'])
       await expectChange(report, () => report.choose(value));
     await report.choose('d_iso');
     expect(await report.text('.legend')).toContain('Isometric distortion');
     expect(await report.page.locator('.legend .scale').count()).toBe(1);
+    await report.choose('map');
+  });
+
+  it('shows how sure each point is, with a scale from 0 to 1', async () => {
+    await expectChange(report, () => report.choose('confidence'));
+    await expectShapes(report);
+    expect(await report.text('.legend')).toContain('How sure each point is');
+    expect(await report.page.locator('.legend .scale span').allTextContents()).toEqual(['0', '1']);
+    await report.point(0.25, 0.5);
+    expect(await report.text('#point')).toMatch(/confidence (1|0\.\d+) /);
+    await report.point(0.5, 0.02);
     await report.choose('map');
   });
 
@@ -307,6 +318,7 @@ describe('a synthetic pair, by the method of the paper', () => {
       await reports.synthetic('paper', 2000, '--method=paper'),
     );
     await expectShapes(report);
+    expect(await report.page.locator('input[value="confidence"]').count()).toBe(0);
     const last = Number(await report.page.locator('#level').getAttribute('max'));
     expect(last).toBeGreaterThan(3);
     await expectChange(report, () => report.setSlider('level', 1));

@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { colorsOf, Patches } from '../../src/color/coloring';
+import { GREY, viridis } from '../../src/color/scales';
 import type { Manifest, Report } from '../../src/data/manifest';
 import { sampledLines, worstByIso, worstByTruth } from '../../src/data/matches';
 import { NONE, Result } from '../../src/data/result';
@@ -27,7 +29,7 @@ function sample(): Result {
     target: { ...shape, simplified: true, vertices_given: 300000 },
     colors: { axes: IDENTITY, low: [0, 0, 0], size: [1, 1, 1] },
     truth: null,
-    maps: [{ folder: '', image: UNIT, d_iso_max: 0.5, error_max: 2 }],
+    maps: [{ folder: '', image: UNIT, d_iso_max: 0.5, error_max: 2, confidence: true }],
     levels: [],
     arrays: [],
     report: {
@@ -58,6 +60,8 @@ function sample(): Result {
     'maps/0/back': [2, 1, 0],
     'maps/0/d_iso': [65534, 0, full],
     'maps/0/error': [0, 65534, full],
+    'maps/0/source_confidence': [254, 127, 255],
+    'maps/0/target_confidence': [0, 254, 255],
   };
   return new Result(manifest, (name) => Uint32Array.from(arrays[name]!));
 }
@@ -114,8 +118,21 @@ describe('a result', () => {
     expect([...map.partner]).toEqual([1, 0, NONE]);
     expect([...map.dIso]).toEqual([0.5, 0, NaN]);
     expect([...map.image.slice(0, 3)]).toEqual([1, -1, 0]);
+    expect([...map.confidence!.source]).toEqual([1, 0.5, NaN]);
+    expect([...map.confidence!.target]).toEqual([0, 1, NaN]);
     expect(map.isRegistered).toBe(false);
     expect(result.map(0)).toBe(map);
+  });
+
+  it('is coloured by confidence, and grey where it has no match', () => {
+    const result = sample();
+    const coloring = { ...state, coloring: 'confidence' } as State;
+    const { source, target, range } = colorsOf(result, coloring, new Patches(result));
+    expect(range).toMatchObject({ low: 0, high: 1, open: false });
+    const of = (shares: (number | null)[]) =>
+      Float32Array.from(shares.flatMap((share) => (share === null ? GREY : viridis(share))));
+    expect(source).toEqual(of([1, 0.5, null]));
+    expect(target).toEqual(of([0, 1, null]));
   });
 
   it('has lines where it has matches, and worst ones', () => {
@@ -145,9 +162,10 @@ describe('a result', () => {
     const at = (side: 'source' | 'target', vertex: number) =>
       describePoint(sample(), state, { side, vertex });
     expect(at('source', 0)).toBe(
-      'source vertex 5 ↔ target vertex 60  ·  d_iso 0.5  ·  ground-truth error 0 of √area',
+      'source vertex 5 ↔ target vertex 60  ·  d_iso 0.5  ·  confidence 1  ·  ground-truth error 0 of √area',
     );
     expect(at('target', 0)).toContain('target vertex 50 ↔ source vertex 6');
+    expect(at('target', 0)).toContain('confidence 0  ·');
     expect(at('source', 2)).toBe('source vertex 7 has no match.');
   });
 });
