@@ -11,20 +11,24 @@ namespace {
 
 constexpr float kNoPoint = std::numeric_limits<float>::quiet_NaN();
 
-std::vector<float> own_confidence(const ResultMap& map, const std::vector<bool>& matched) {
-  std::vector<float> own = map.target_confidence;
-  for (std::size_t t = 0; t < own.size(); ++t)
-    if (!matched[t]) own[t] = kNoPoint;
-  return own;
+std::vector<float> source_confidence(const ResultMap& map) {
+  std::vector<float> confidence = map.source_confidence;
+  for (std::size_t v = 0; v < confidence.size(); ++v)
+    if (!map.is_matched(static_cast<int>(v))) confidence[v] = kNoPoint;
+  return confidence;
 }
 
-std::vector<float> carried_confidence(const MatchResult& result, const ResultMap& map,
-                                      const std::vector<bool>& matched) {
-  std::vector<float> carried;
-  for (int source : nearest_images(images(result.target, map), map.source_to_target,
-                                   result.target.vertices, matched))
-    carried.push_back(source == kUnmatched ? kNoPoint : map.source_confidence[source]);
-  return carried;
+std::vector<float> target_confidence(const MatchResult& result, const ResultMap& map,
+                                     const std::vector<bool>& matched) {
+  const VertexMap back = nearest_images(images(result.target, map), map.source_to_target,
+                                        result.target.vertices, matched);
+  std::vector<float> confidence(back.size(), kNoPoint);
+  for (std::size_t t = 0; t < back.size(); ++t) {
+    if (back[t] == kUnmatched) continue;
+    const float own = map.target_confidence.empty() ? 0 : map.target_confidence[t];
+    confidence[t] = own > 0 ? own : map.source_confidence[back[t]];
+  }
+  return confidence;
 }
 
 }  // namespace
@@ -32,12 +36,7 @@ std::vector<float> carried_confidence(const MatchResult& result, const ResultMap
 std::optional<PairConfidence> pair_confidence(const MatchResult& result, const ResultMap& map,
                                               const std::vector<bool>& matched) {
   if (map.source_confidence.empty()) return {};
-  PairConfidence confidence{map.source_confidence, {}};
-  for (std::size_t v = 0; v < confidence.source.size(); ++v)
-    if (!map.is_matched(static_cast<int>(v))) confidence.source[v] = kNoPoint;
-  confidence.target = map.target_confidence.empty() ? carried_confidence(result, map, matched)
-                                                    : own_confidence(map, matched);
-  return confidence;
+  return PairConfidence{source_confidence(map), target_confidence(result, map, matched)};
 }
 
 }  // namespace isomatch::results

@@ -14,9 +14,9 @@ struct PairConfidence {
   std::vector<float> source, target;
 };
 
-/// The confidence of `map`; nothing if the method does not tell. Without one of the target's own, a
-/// vertex has that of the source vertex that lands nearest. `matched` says which target vertices
-/// have a point.
+/// The confidence of `map`; nothing if the method does not tell. Target vertices have their own, or
+/// that of the source vertex which lands nearest if the folder has none of the target or the
+/// inverse map has no point for them; none if they are not `matched`.
 std::optional<PairConfidence> pair_confidence(const MatchResult& result, const ResultMap& map,
                                               const std::vector<bool>& matched);
 

@@ -38,6 +38,11 @@ TEST_F(Confidence, OfTheTargetIsItsOwn) {
   EXPECT_THAT(confidence().target, ElementsAre(IsNan(), 0.1F, 0.2F, 0.3F));
 }
 
+TEST_F(Confidence, OfTheTargetIsNotZeroWhereOnlyTheSourceLeads) {
+  map_.target_confidence = {0, 0.1F, 0, 0.3F};
+  EXPECT_THAT(confidence().target, ElementsAre(IsNan(), 0.1F, 0.9F, 0.3F));
+}
+
 TEST_F(Confidence, OfTheTargetIsElseThatOfTheSourceVertexNearby) {
   result_.target.vertices[3] = {0.1, 1, 0};
   EXPECT_THAT(confidence().target, ElementsAre(IsNan(), 0.4F, 0.9F, 0.9F));

@@ -26,7 +26,7 @@ const COLORINGS: ColoringChoice[] = [
   {
     value: 'confidence',
     name: 'Confidence',
-    help: 'How sure each point is: about the probability that its match is within .05 of the truth, 1 being the square root of the area. Bright is sure; grey has no match. What has a near twin may be sure and wrong all the same.',
+    help: 'How sure each point is: about the probability that its match is within .05 of the truth, in the unit of the pair. Bright is sure; grey has no match. What has a near twin may be sure and wrong all the same.',
   },
   {
     value: 'd_iso',
