@@ -47,6 +47,20 @@ void for_each_number(PyramidOptions& p, const std::string& at, const Visitor& vi
 }
 
 template <class Visitor>
+void for_each_number(SeamOptions& s, const std::string& at, const Visitor& visit) {
+  visit(at + ".valley", s.valley);
+  visit(at + ".valley_share", s.valley_share);
+  visit(at + ".roots", s.roots);
+  visit(at + ".closer_roots", s.closer_roots);
+  visit(at + ".max_cost", s.max_cost);
+  visit(at + ".most_handles", s.most_handles);
+  visit(at + ".short_loop", s.short_loop);
+  visit(at + ".avoided", s.avoided);
+  visit(at + ".torn", s.torn);
+  visit(at + ".gap", s.gap);
+}
+
+template <class Visitor>
 void for_each_number(SeedOptions& s, const std::string& at, const Visitor& visit) {
   visit(at + ".max_extremities", s.max_extremities);
   visit(at + ".extremity_radius", s.extremity_radius);
@@ -140,6 +154,7 @@ void for_each_number(MendingOptions& m, const std::string& at, const Visitor& vi
 template <class Visitor>
 void for_each_number(Options& options, const Visitor& visit) {
   for_each_number(options.pyramid, "pyramid", visit);
+  for_each_number(options.seams, "seams", visit);
   for_each_number(options.hypotheses, "hypotheses", visit);
   for_each_number(options.partial, "partial", visit);
   visit("entrants", options.entrants);

@@ -28,6 +28,8 @@ bool must_be_positive(std::string_view name) {
                                         "entrants",
                                         "finalists",
                                         "first_basis",
+                                        "roots",
+                                        "seams.valley",
                                         "neighbours",
                                         "relief_scales.0",
                                         "relief_scales.1",

@@ -44,6 +44,27 @@ struct PyramidOptions {
   bool operator==(const PyramidOptions&) const = default;
 };
 
+/// Parts of one shape that touch and were fused, as scanners and voxels do.
+struct SeamOptions {
+  /// Relief, at the smallest scale, of a valley that costs 1/e of what a plane costs: that of a
+  /// fused contact is three times as deep.
+  double valley = 0.13;
+  /// Of the vertices, the deepest, from which loops are looked for, from how many of them, and from
+  /// how many of the loop that is found.
+  double valley_share = 0.04;
+  int roots = 24, closer_roots = 8;
+  /// What a loop costs at most, as length on a plane: as much as once around a wrist.
+  double max_cost = 0.2;
+  /// Shapes with more handles than this are not made of a few parts that touch.
+  int most_handles = 12;
+  /// Loops of at most this length are cut whatever they are: nothing of consequence depends on it.
+  double short_loop = 0.05;
+  /// How far another cut stays away from a loop.
+  double avoided = 0.05;
+  /// What becomes so many times as long, and longer by so much, is torn.
+  double torn = 3, gap = 0.05;
+};
+
 /// Shapes of which something is missing.
 struct PartialOptions {
   /// Length of the boundary, over sqrt(area), from which a shape is taken for a part: it encloses
@@ -208,6 +229,7 @@ struct Options {
   PyramidOptions pyramid;
   HypothesisOptions hypotheses;
   PartialOptions partial;
+  SeamOptions seams;
   /// Whether something of the shapes may be missing.
   bool parts = false;
   /// Different maps that are wanted.

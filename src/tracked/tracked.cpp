@@ -16,6 +16,7 @@
 #include "shape/prepared_shape.h"
 #include "steps.h"
 #include "tracked/match.h"
+#include "tracked/separation.h"
 #include "tracked/tracks/dense_map.h"
 #include "tracked/tracks/finals.h"
 #include "tracked/tracks/followers.h"
@@ -125,8 +126,6 @@ Options for_parts(Options options) {
   return options;
 }
 
-using Pyramids = std::vector<std::shared_ptr<const Pyramid>>;
-
 /// The target, the source, and the source's mirror image if that may match as well.
 Pyramids make_pyramids(const Shape& source, const Shape& target, const Views& views,
                        bool with_mirror, const PyramidOptions& options, const Context& context) {
@@ -150,22 +149,18 @@ Pyramids make_pyramids(const Shape& source, const Shape& target, const Views& vi
   return pyramids;
 }
 
-/// Hypotheses of all sources, least cost first; the first of the pyramids is the target.
-Candidates all_judged(const Pyramids& pyramids, const Options& options, const Context& context) {
-  const double share = 1.0 / static_cast<double>(pyramids.size() - 1);
-  Candidates all;
-  for (std::size_t k = 1; k < pyramids.size(); ++k) {
-    const double end = static_cast<double>(k) * share;
-    Candidates more =
-        judged_hypotheses(*pyramids[k], *pyramids[0], options, part_of(context, end - share, end));
-    std::ranges::move(more.possible, std::back_inserter(all.possible));
-    std::ranges::move(more.contradicting, std::back_inserter(all.contradicting));
-  }
-  if (pyramids.size() > 2) {
-    sort_by_cost(all.possible);
-    sort_by_cost(all.contradicting);
-  }
-  return all;
+/// Cuts the surfaces where the best track tears them, and begins again, if that fits better.
+void cut_and_follow_again(const Separation& separation, Pyramids& pyramids, Candidates& candidates,
+                          Finals& finals, const Options& options, const Context& context) {
+  Pyramids cut = separation.cut_where_torn(pyramids, finals.tracks.front(), finals.nearest);
+  if (cut == pyramids) return;
+  Candidates again = all_judged(cut, options, context);
+  if (again.possible.empty()) return;
+  Finals followed = run_finals(*cut.front(), again.possible, options, context);
+  if (followed.tracks.front().cost() >= finals.tracks.front().cost()) return;
+  pyramids = std::move(cut);
+  candidates = std::move(again);
+  finals = std::move(followed);
 }
 
 /// In the caller's numbers and coordinates.
@@ -254,6 +249,7 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
   const Surface& onto = *target.prepared().surface();
   options.landmarks = checked_landmarks(from, onto, tracked_options.landmarks);
   TrackedResult result;
+  const Context silent{.threads = context.threads, .progress = {}, .stop = context.stop};
   const auto timed = [&](std::string_view stage, double begin, double end, const auto& work) {
     context.report(begin, stage);
     const StageTimer timer(result.times, stage);
@@ -262,31 +258,41 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
   const Views views = views_of(from, onto, tracked_options, options.partial);
   result.taken_for = taken_for(views, from, onto);
   if (views.parts()) options = for_parts(options);
-  const Pyramids pyramids = timed("shapes", 0, kHypothesesBegin, [&](const Context& part) {
+  Pyramids pyramids = timed("shapes", 0, kHypothesesBegin, [&](const Context& part) {
     return make_pyramids(source, target, views, tracked_options.allow_reflection, options.pyramid,
                          part);
   });
-  const Pyramid& goal = *pyramids.front();
   result.oriented = from.oriented && onto.oriented;
-  const Candidates candidates =
-      timed("hypotheses", kHypothesesBegin, kRefinementBegin,
-            [&](const Context& part) { return all_judged(pyramids, options, part); });
+  const Separation separation(
+      pyramids,
+      [&](std::size_t k, const View& view) {
+        return pyramid_of((k == 0 ? target : source).prepared(), view, options.pyramid, silent);
+      },
+      options, silent);
+  Candidates candidates =
+      timed("hypotheses", kHypothesesBegin, kRefinementBegin, [&](const Context& part) {
+        Candidates judged = all_judged(pyramids, options, part);
+        if (separation.needed()) separation.open_handles(pyramids, judged, silent);
+        return judged;
+      });
   check_found(candidates);
   for (const Judged& j : candidates.possible)
     result.hypotheses.push_back({j.hypothesis.distortion, j.hypothesis.orientation, j.energy});
   const Finals finals =
       timed("refinement", kRefinementBegin, kDenseMapBegin, [&](const Context& part) {
-        Finals followed = run_finals(goal, candidates.possible, options, part);
+        Finals followed = run_finals(*pyramids.front(), candidates.possible, options, part);
+        if (separation.needed())
+          cut_and_follow_again(separation, pyramids, candidates, followed, options, silent);
         result.contradicted_landmarks =
             those_between(from, onto, tracked_options.landmarks,
-                          contradicted_landmarks(goal, candidates.contradicting,
+                          contradicted_landmarks(*pyramids.front(), candidates.contradicting,
                                                  followed.middle_cost, options, context));
         return followed;
       });
   check_overlap(finals.tracks.front());
   result.ambiguity = finals.ambiguity;
   result.maps = timed("dense map", kDenseMapBegin, 1, [&](const Context& part) {
-    return dense_maps(source, target, finals.tracks, goal, options, part);
+    return dense_maps(source, target, finals.tracks, *pyramids.front(), options, part);
   });
   return result;
 }

@@ -60,6 +60,7 @@ Pyramid make_pyramid(const PreparedShape& shape, const View& view, const Pyramid
   if (view.open) pyramid.rim = boundary_vertices(pyramid.surface->mesh);
   const Surface& surface = *pyramid.surface;
   pyramid.detail = stepped(make_detail(shape, surface, options, context));
+  if (!view.cut.empty()) pyramid.detail = without(pyramid.detail, view.cut, context);
   pyramid.proxy =
       stepped(make_proxy(pyramid.detail, surface.oriented, view.open, options.proxy, context));
   set_places(pyramid.detail, place_vertices(pyramid.proxy), context);

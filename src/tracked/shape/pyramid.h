@@ -12,6 +12,7 @@
 #include "tracked/options.h"
 #include "tracked/shape/detail.h"
 #include "tracked/shape/proxy.h"
+#include "tracked/shape/seams.h"
 
 namespace isomatch::tracked {
 
@@ -30,6 +31,8 @@ struct View {
   double size = 1;
   /// Whether something may be missing beyond its boundary.
   bool open = false;
+  /// Where parts that touch are taken apart.
+  Cut cut = {};
 
   bool operator==(const View&) const = default;
 };

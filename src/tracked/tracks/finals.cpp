@@ -124,6 +124,7 @@ Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, cons
     settle_with_reverse(track, refinement, target, options, context);
     steps.take();
   }
+  finals.nearest = refinement.nearest_nodes(finals.tracks.front());
   return finals;
 }
 

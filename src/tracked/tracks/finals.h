@@ -11,6 +11,8 @@ namespace isomatch::tracked {
 struct Finals {
   /// Those that are wanted, best first, all different.
   std::vector<Track> tracks;
+  /// See `Refinement::nearest_nodes`, of the first of them.
+  std::vector<int> nearest;
   /// See `TrackedResult::ambiguity`.
   double ambiguity = 0;
   /// The least cost on the middle level.

@@ -78,10 +78,9 @@ Track Refinement::begin(const Judged& judged) const {
     track.vertices = spectral_step(track, middle, round);
     run_round(track, round);
   }
-  if (track.judged.hypothesis.pose)
-    weigh_left_out(track);
-  else if (options_.middle_rounds() > 0)
-    options_.parts ? extend(track) : mend(track);
+  if (track.judged.hypothesis.pose || !options_.parts) weigh_left_out(track);
+  if (track.judged.hypothesis.pose) return track;
+  if (options_.middle_rounds() > 0) options_.parts ? extend(track) : mend(track);
   return track;
 }
 
@@ -256,12 +255,16 @@ std::shared_ptr<const Overlap> Refinement::overlap_of(const Track& track,
   return overlap;
 }
 
+/// How far a node covers what is around it.
+double Refinement::covering_reach(const Track& track) const {
+  return options_.partial.cover * std::sqrt(track.judged.source->area() / track.source->size());
+}
+
 std::vector<bool> Refinement::covered_target(const Track& track,
                                              const std::vector<int>& nearest) const {
   if (!options_.parts) return {};
   const elastic::PointCloud& target = track.target->graph.cloud;
-  const double reach =
-      options_.partial.cover * std::sqrt(track.judged.source->area() / track.source->size());
+  const double reach = covering_reach(track);
   std::vector<bool> covered(nearest.size());
   for (std::size_t i = 0; i < nearest.size(); ++i)
     covered[i] = track.cloud.inside[nearest[i]] &&
@@ -329,9 +332,27 @@ void Refinement::look_at_overlap(Track& track) const {
       inside_after(track.cloud, track.deformation.neighbours(), track.registration, options_);
 }
 
+/// How far what the source does not cover is from it, integrated over the target: a limb that the
+/// source has folded away costs nothing else.
+double Refinement::distance_uncovered(const Track& track) const {
+  const elastic::PointCloud& target = track.target->graph.cloud;
+  const std::vector<int> nearest = nearest_nodes(track);
+  const double reach = covering_reach(track);
+  double sum = 0;
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    const double distance =
+        (target.positions[i] - track.deformation.positions()[nearest[i]]).norm();
+    sum += target.areas[i] * std::max(0.0, distance - reach);
+  }
+  return sum;
+}
+
 /// Prices what is left out of both shapes.
 void Refinement::weigh_left_out(Track& track) const {
-  if (!options_.parts) return;
+  if (!options_.parts) {
+    track.distance_left_out = distance_uncovered(track);
+    return;
+  }
   const PartialOptions& partial = options_.partial;
   const Proxy& source = track.judged.source->proxy;
   const std::vector<int> nearest = nearest_nodes(track);

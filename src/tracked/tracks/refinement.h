@@ -79,6 +79,8 @@ class Refinement {
   std::shared_ptr<const Overlap> overlap_of(const Track& track, const std::vector<int>& nearest,
                                             int functions) const;
   void look_at_overlap(Track& track) const;
+  double covering_reach(const Track& track) const;
+  double distance_uncovered(const Track& track) const;
   void weigh_left_out(Track& track) const;
   static bool is_fine(const Track& track);
   const elastic::Projection& surface_of(const Track& track) const;
