@@ -170,7 +170,7 @@ class Match(Map):
     ambiguity: Optional[float]
     contradicted_landmarks: np.ndarray
     oriented: Optional[bool]
-    taken_for: Optional[Dict[str, str]]
+    taken_for: Optional[Dict[str, Union[str, bool]]]
     seconds: Dict[str, float]
     @property
     def warnings(self) -> List[str]: ...

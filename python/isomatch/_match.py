@@ -8,7 +8,7 @@ import functools
 import html
 import os
 import tempfile
-from typing import Any, Dict, List, NamedTuple, Optional
+from typing import Any, Dict, List, NamedTuple, Optional, Union
 
 import numpy as np
 
@@ -171,9 +171,10 @@ class Match(Map):
     #: with the paper's method.
     oriented: Optional[bool]
     #: What the shapes were taken for: "source" and "target" are "whole" or "part" (something may be
-    #: missing beyond the boundary), "scale" is "same" (units) or "area". None with the paper's
-    #: method.
-    taken_for: Optional[Dict[str, str]]
+    #: missing beyond the boundary), "scale" is "same" (units) or "area";
+    #: "source_cut" and "target_cut" tell whether parts that touch were taken apart. None with the
+    #: paper's method.
+    taken_for: Optional[Dict[str, Union[str, bool]]]
     #: Wall-clock seconds of each stage.
     seconds: Dict[str, float]
 

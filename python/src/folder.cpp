@@ -123,8 +123,13 @@ TrackedResult figures_of(const Json& report) {
   result.ambiguity = report.at("ambiguity");
   result.oriented = report.at("oriented");
   if (const auto view = report.find("taken_for"); view != report.end())
-    result.taken_for = {view->at("source") == "part", view->at("target") == "part",
-                        view->at("scale"), view->at("source_unit"), view->at("target_unit")};
+    result.taken_for = {view->at("source") == "part",
+                        view->at("target") == "part",
+                        view->at("scale"),
+                        view->at("source_unit"),
+                        view->at("target_unit"),
+                        view->value("source_cut", false),
+                        view->value("target_cut", false)};
   result.times = times_of(report);
   return result;
 }

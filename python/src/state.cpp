@@ -83,14 +83,16 @@ TrackedMap to_map(const results::MatchInputs& inputs, const py::tuple& state) {
 
 py::tuple to_state(const TrackedResult& result) {
   const auto& [maps, hypotheses, ambiguity, contradicted, taken_for, oriented, times] = result;
-  const auto& [source_is_part, target_is_part, scale, source_unit, target_unit] = taken_for;
+  const auto& [source_is_part, target_is_part, scale, source_unit, target_unit, source_is_cut,
+               target_is_cut] = taken_for;
   py::list map_states, summaries;
   for (const TrackedMap& map : maps) map_states.append(to_state(map));
   for (const auto& [distortion, orientation, energy] : hypotheses)
     summaries.append(py::make_tuple(distortion, orientation, energy));
-  return py::make_tuple(
-      map_states, summaries, ambiguity, to_array(contradicted), oriented, to_state(times),
-      py::make_tuple(source_is_part, target_is_part, scale, source_unit, target_unit));
+  return py::make_tuple(map_states, summaries, ambiguity, to_array(contradicted), oriented,
+                        to_state(times),
+                        py::make_tuple(source_is_part, target_is_part, scale, source_unit,
+                                       target_unit, source_is_cut, target_is_cut));
 }
 
 TrackedResult to_tracked_result(const results::MatchInputs& inputs, const py::tuple& state) {
@@ -105,7 +107,8 @@ TrackedResult to_tracked_result(const results::MatchInputs& inputs, const py::tu
   result.contradicted_landmarks = to_matches(state[3].cast<py::array>(), "state");
   result.oriented = state[4].cast<bool>();
   result.times = to_times(state[5]);
-  const auto view = state[6].cast<std::tuple<bool, bool, std::string, double, double>>();
+  const auto view =
+      state[6].cast<std::tuple<bool, bool, std::string, double, double, bool, bool>>();
   result.taken_for = std::make_from_tuple<PairView>(view);
   check(!result.maps.empty());
   return result;

@@ -52,6 +52,8 @@ py::dict taken_for(const TrackedMatch& run) {
   result["source"] = word(view.source_is_part);
   result["target"] = word(view.target_is_part);
   result["scale"] = view.scale;
+  result["source_cut"] = view.source_is_cut;
+  result["target_cut"] = view.target_is_cut;
   return result;
 }
 

@@ -63,7 +63,9 @@ Json view_json(const PairView& view) {
           {"target", word(view.target_is_part)},
           {"scale", view.scale},
           {"source_unit", view.source_unit},
-          {"target_unit", view.target_unit}};
+          {"target_unit", view.target_unit},
+          {"source_cut", view.source_is_cut},
+          {"target_cut", view.target_is_cut}};
 }
 
 Json alternatives_json(const TrackedRun& run) {

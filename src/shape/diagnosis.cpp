@@ -152,8 +152,8 @@ std::string border_warning(const Connectivity& surface) {
                                   ? "1 hole or open border"
                                   : fmt::format("{} holes or open borders", surface.boundary_loops);
   return fmt::format(
-      "{} ({} edges): distances lead around, which suits shapes open at the same places", borders,
-      surface.boundary_edges);
+      "{} ({} edges): distances lead around; with a long border a shape is taken for a part",
+      borders, surface.boundary_edges);
 }
 
 }  // namespace

@@ -290,6 +290,8 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
         return followed;
       });
   check_overlap(finals.tracks.front());
+  result.taken_for.source_is_cut = !finals.tracks.front().judged.source->view.cut.empty();
+  result.taken_for.target_is_cut = !pyramids.front()->view.cut.empty();
   result.ambiguity = finals.ambiguity;
   result.maps = timed("dense map", kDenseMapBegin, 1, [&](const Context& part) {
     return dense_maps(source, target, finals.tracks, *pyramids.front(), options, part);

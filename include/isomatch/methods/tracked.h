@@ -78,6 +78,8 @@ struct PairView {
   std::string scale = "area";
   /// The unit of length of a pair, in units of the source's and of the target's mesh.
   double source_unit = 1, target_unit = 1;
+  /// Whether parts that touch were taken apart, such as a hand that was fused to a hip.
+  bool source_is_cut = false, target_is_cut = false;
 };
 
 /// What became of a hypothesis.

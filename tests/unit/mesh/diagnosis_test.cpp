@@ -115,8 +115,8 @@ TEST(Diagnosis, ChartsAreOneComponentOnceJoined) {
 
 TEST(Diagnosis, OpenAndNonManifoldSurfacesWarn) {
   EXPECT_THAT(diagnose(test::sphere_with_hole()).warnings(),
-              ElementsAre("1 hole or open border (3 edges): distances lead around, which suits "
-                          "shapes open at the same places"));
+              ElementsAre("1 hole or open border (3 edges): distances lead around; with a long "
+                          "border a shape is taken for a part"));
   EXPECT_THAT(diagnose(test::sphere_with_fin()).warnings(),
               ElementsAre("1 edge of more than two faces: the surface branches there",
                           ::testing::StartsWith("1 hole or open border (2 edges)")));
