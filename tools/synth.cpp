@@ -36,8 +36,8 @@ void run_synth(const SynthArguments& arguments, const Context& context) {
     results::check_companion_output(file, path, {});
   const SynthShape shape = synthesize(arguments.options, context);
   write_mesh(path, shape.mesh);
-  write_map(truth, {.source_to_target = shape.ground_truth});
-  write_map(symmetric_truth, {.source_to_target = shape.symmetric_ground_truth});
+  write_ground_truth(truth, shape.ground_truth);
+  write_ground_truth(symmetric_truth, shape.symmetric_ground_truth);
   if (!arguments.quiet)
     say("mesh of {} vertices written to {}, its ground truth to {} and {}",
         shape.mesh.num_vertices(), path, truth, symmetric_truth);
@@ -54,7 +54,9 @@ void add_synth(CLI::App& app, Request& request) {
                   fmt::format("What to make, one of: {}", fmt::join(synth_shapes(), ", ")))
       ->type_name("NAME")
       ->capture_default_str();
-  command.add_option("--vertices", options.vertices, "Number of vertices, met within 2 %")
+  command
+      .add_option("--vertices", options.vertices,
+                  "Number of vertices, met within 2 % before parts are removed")
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--pose", options.pose, "0 is the rest pose, every other number another one")
@@ -64,10 +66,21 @@ void add_synth(CLI::App& app, Request& request) {
       ->type_name("N")
       ->capture_default_str();
   command
+      .add_option("--cut", options.cut,
+                  "Share of the area that is removed, 0 to .95: what lies beyond a plane of random "
+                  "direction, another one for each seed and pose")
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command
+      .add_option("--holes", options.holes,
+                  "Round holes, at random places that seed and pose decide")
+      ->type_name("N")
+      ->capture_default_str();
+  command
       .add_option(
           "-o,--output", arguments->output,
           "Mesh file (.off .obj .ply .glb .gltf .mat); the ground truth goes beside it, as .vts "
-          "and .sym.vts")
+          "and .sym.vts, with 0 for points that were removed")
       ->type_name("FILE")
       ->required();
   add_run_options(command, request);

@@ -148,11 +148,13 @@ void for_each_option(Options& options, const Visitor& visit) {
 
 template <OptionsOf<SynthOptions> Options, class Visitor>
 void for_each_option(Options& options, const Visitor& visit) {
-  auto& [shape, vertices, pose, seed] = options;
+  auto& [shape, vertices, pose, seed, cut, holes] = options;
   visit("shape", shape, "what to make; creature");
   visit("vertices", vertices, "wanted number of vertices, met within 2 %");
   visit("pose", pose, "0 is the symmetric rest pose, every other number a pose of its own");
   visit("seed", seed, "decides the shape");
+  visit("cut", cut, "share of the area that is removed, beyond a plane of random direction");
+  visit("holes", holes, "round holes at random places");
 }
 
 }  // namespace isomatch

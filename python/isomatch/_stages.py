@@ -384,9 +384,9 @@ class SynthShape:
     faces: np.ndarray
     #: (N, 3) place of each vertex on the rest pose; mirroring negates x.
     rest: np.ndarray
-    #: (5000) vertex of each template point.
+    #: (5000) vertex of each template point; -1 where it was removed.
     ground_truth: np.ndarray
-    #: (5000) vertex of each template point's mirror image.
+    #: (5000) vertex of each template point's mirror image; -1 where it was removed.
     symmetric_ground_truth: np.ndarray
 
     def __repr__(self):

@@ -113,6 +113,13 @@ void write_map(const std::string& path, const MapContent& map, Numbering numberi
   }
 }
 
+void write_ground_truth(const std::string& path, const std::vector<int>& vertices) {
+  if (is_vts_file_name(path) && !vertices.empty())
+    write_vertex_map(path, vertices, 1);
+  else
+    write_map(path, {.source_to_target = vertices});
+}
+
 void write_correspondence(const std::string& path, const Correspondence& correspondence,
                           std::span<const double> d_iso) {
   if (!d_iso.empty() && d_iso.size() != correspondence.size())

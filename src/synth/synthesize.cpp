@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "isomatch/error.h"
 #include "isomatch/mesh/synth.h"
@@ -12,7 +13,10 @@
 #include "synth/collision.h"
 #include "synth/creature.h"
 #include "synth/ground_truth.h"
+#include "synth/holes.h"
+#include "synth/plane_cut.h"
 #include "synth/pose.h"
+#include "synth/remains.h"
 #include "synth/skin.h"
 
 namespace isomatch {
@@ -21,7 +25,14 @@ namespace {
 using namespace synth;
 
 /// Purposes of random numbers, one stream each.
-enum Stream : std::uint64_t { kShapeStream, kTemplateStream, kPoseStream, kMeshStream };
+enum Stream : std::uint64_t {
+  kShapeStream,
+  kTemplateStream,
+  kPoseStream,
+  kMeshStream,
+  kCutStream,
+  kHoleStream
+};
 
 /// Within 2 % of the wanted number, rounding included.
 int vertex_count(const SynthOptions& options, Random& random) {
@@ -63,6 +74,32 @@ Skin shuffled(const Skin& skin, Random& random) {
   return result;
 }
 
+/// Of holes, over sqrt(area); `SynthOptions::holes` says why.
+constexpr double kHoleRadius = 0.05;
+
+/// The numbers do not depend on how finely the shape is meshed.
+Random removal_random(Stream stream, const SynthOptions& options) {
+  return {stream, options.seed, static_cast<std::uint64_t>(options.pose)};
+}
+
+void keep(SynthShape& shape, Mesh remains) {
+  shape.mesh = sound_remains(std::move(remains));
+  drop_unused_vertices(shape);
+}
+
+void remove_parts(SynthShape& shape, const SynthOptions& options, const Context& context) {
+  const double radius = kHoleRadius * std::sqrt(surface_area(shape.mesh));
+  if (options.cut > 0) {
+    Random random = removal_random(kCutStream, options);
+    keep(shape, cut_by_plane(shape.mesh, options.cut, random));
+  }
+  if (options.holes > 0) {
+    Random random = removal_random(kHoleStream, options);
+    const HoleOptions holes{options.holes, radius, shape.ground_truth};
+    keep(shape, make_holes(shape.mesh, holes, random, context));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> synth_shapes() { return {"creature"}; }
@@ -75,6 +112,9 @@ void SynthOptions::validate() const {
   if (vertices < 1000 || vertices > 10'000'000)
     throw InvalidInput(fmt::format("vertices must be in [1000, 10000000], not {}", vertices));
   if (pose < 0) throw InvalidInput(fmt::format("pose must be at least 0, not {}", pose));
+  if (!(cut >= 0 && cut <= 0.95))
+    throw InvalidInput(fmt::format("cut must be in [0, 0.95], not {}", cut));
+  if (holes < 0) throw InvalidInput(fmt::format("holes must be at least 0, not {}", holes));
 }
 
 SynthShape synthesize(const SynthOptions& options, const Context& context) {
@@ -98,6 +138,7 @@ SynthShape synthesize(const SynthOptions& options, const Context& context) {
   result.symmetric_ground_truth = lookup.nearest(images);
   result.mesh = {std::move(skin.posed), std::move(skin.faces)};
   result.rest = std::move(skin.rest);
+  remove_parts(result, options, context);
   return result;
 }
 

@@ -50,11 +50,27 @@ TEST_F(Synth, WritesTheMeshAndBothTruthsBesideIt) {
             expected.symmetric_ground_truth);
 }
 
+TEST_F(Synth, PartsHaveZerosInTheirTruths) {
+  const Outcome outcome = run({"synth", "--vertices", "1000", "--pose", "2", "--cut", ".4",
+                               "--holes", "1", "-o", path("part.off")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+
+  const SynthShape expected = synthesize({.vertices = 1000, .pose = 2, .cut = 0.4, .holes = 1});
+  const int vertices = read_mesh(path("part.off")).num_vertices();
+  EXPECT_EQ(vertices, expected.mesh.num_vertices());
+  EXPECT_EQ(read_ground_truth(path("part.vts"), vertices), expected.ground_truth);
+  EXPECT_EQ(read_ground_truth(path("part.sym.vts"), vertices), expected.symmetric_ground_truth);
+}
+
 TEST_F(Synth, BadArgumentsAreNamed) {
   EXPECT_THAT(rejection({"--shape", "teapot", "-o", path("a.off")}), HasSubstr("'teapot'"));
   EXPECT_THAT(rejection({"--vertices", "3", "-o", path("a.off")}), HasSubstr("not 3"));
   EXPECT_THAT(rejection({"--vertices", "many", "-o", path("a.off")}), HasSubstr("many"));
   EXPECT_THAT(rejection({"--pose", "-1", "-o", path("a.off")}), HasSubstr("not -1"));
+  EXPECT_THAT(rejection({"--cut", "1.5", "-o", path("a.off")}), HasSubstr("not 1.5"));
+  EXPECT_THAT(rejection({"--holes", "-2", "-o", path("a.off")}), HasSubstr("not -2"));
+  EXPECT_THAT(rejection({"--vertices", "1000", "--holes", "500", "-o", path("a.off")}),
+              HasSubstr("room for"));
   EXPECT_THAT(rejection({}), HasSubstr("--output"));
 }
 

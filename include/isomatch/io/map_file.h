@@ -13,7 +13,8 @@
 /// Files of maps in the formats that others use, told apart by the ending:
 /// - .txt, .map: the target vertex of each source vertex, one a line, or "unmatched", which is one
 ///   less than the first vertex;
-/// - .vts: the same, always numbered from one; 0, "unmatched", is read but not written;
+/// - .vts: the same, always numbered from one; 0, "unmatched", is read, but written in
+///   ground truths only;
 /// - .bary.txt: for each source vertex a line with a target face and the barycentric weights of its
 ///   corners, or -1 0 0 0 where there is no point. Weights must be in [0, 1] and sum to 1, both
 ///   within 1e-6, and are returned as they are;
@@ -84,6 +85,10 @@ std::vector<int> read_ground_truth(const std::string& path, std::optional<int> n
 /// unmatched, whose 0 few programs know; `BadFile` if the file cannot be written.
 void write_map(const std::string& path, const MapContent& map,
                Numbering numbering = Numbering::kFromZero);
+
+/// Writes a ground truth that `read_ground_truth` reads: as `write_map`, but a .vts file has 0 for
+/// `kUnmatched`. Throws as `write_map`.
+void write_ground_truth(const std::string& path, const std::vector<int>& vertices);
 
 /// Writes a match a line: source and target vertex, 0-based, and its distortion unless `d_iso` is
 /// empty; `read_matches` gets the same matches. Throws `InvalidInput` if `d_iso` is neither empty

@@ -149,6 +149,15 @@ TEST_F(MapFile, BadTextIsRefused) {
   EXPECT_THAT(error("a.off", "0\n"), HasSubstr(".npz"));
 }
 
+TEST_F(MapFile, GroundTruthsKeepWhatIsUnmatched) {
+  const std::vector<int> truth = {2, kUnmatched, 0};
+  for (const std::string name : {"a.vts", "a.txt"}) {
+    write_ground_truth(folder_.path(name), truth);
+    EXPECT_EQ(read_ground_truth(folder_.path(name), 3), truth);
+  }
+  EXPECT_THROW(write_ground_truth(folder_.path("b.vts"), {}), InvalidInput);
+}
+
 TEST_F(MapFile, FormsThatAreNotThereCannotBeWritten) {
   MapContent map = random_map();
   EXPECT_THROW(write_map(folder_.path("a.vts"), map), InvalidInput);
