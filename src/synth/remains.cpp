@@ -79,7 +79,9 @@ void drop_unused_vertices(SynthShape& shape) {
     for (int& v : face) v = numbers[v];
   }
   for (std::vector<int>* truth : {&shape.ground_truth, &shape.symmetric_ground_truth}) {
-    for (int& v : *truth) v = numbers[v];
+    for (int& v : *truth) {
+      if (v != kUnmatched) v = numbers[v];
+    }
   }
 }
 

@@ -87,9 +87,9 @@ INSTANTIATE_TEST_SUITE_P(Creatures, PartialSynth,
                                          SynthOptions{"creature", 3000, 4, 5, 0.3, 4}));
 
 TEST(SynthCut, RemovesTheShareOfTheArea) {
-  for (const int pose : {0, 1, 2, 3}) {
+  for (const int pose : {0, 3}) {
     const SynthShape uncut = synthesize({"creature", 3000, pose, 4});
-    for (const double share : {0.1, 0.3, 0.5, 0.7}) {
+    for (const double share : {0.1, 0.4, 0.8}) {
       const SynthShape part = synthesize({"creature", 3000, pose, 4, share});
       // One percent is the cut's tolerance, the rest are faces around pinched vertices.
       EXPECT_NEAR(removed_share(part, uncut), share, 0.02) << "pose " << pose;
@@ -115,7 +115,7 @@ TEST(SynthCut, DiffersFromPoseToPoseAndNotFromRunToRun) {
 }
 
 TEST(SynthHoles, AreAsManyBordersOfTheRadius) {
-  for (const int pose : {1, 2, 3}) {
+  for (const int pose : {1, 2}) {
     const SynthOptions options{.vertices = 5000, .pose = pose, .seed = 3, .holes = 6};
     const SynthShape uncut = synthesize(whole(options)), part = synthesize(options);
     EXPECT_EQ(diagnose(part.mesh).given.boundary_loops, 6);
