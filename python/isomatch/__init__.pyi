@@ -438,6 +438,8 @@ def synthesize(
     vertices: int = 5000,
     pose: int = 0,
     seed: int = 1,
+    cut: float = 0.0,
+    holes: int = 0,
 ) -> SynthShape: ...
 
 def write_colored_mesh(
