@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "steps.h"
+#include "tracked/tracks/deformed_surface.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -19,20 +20,20 @@ double least_cost(const Candidates& candidates) {
 
 /// Vertices of the surface on both sides of edges between cells of nodes that are torn apart where
 /// they move to `places`.
-Cut torn_vertices(const Pyramid& pyramid, const NodeGraph& nodes, const std::vector<Point>& places,
-                  const SeamOptions& options) {
+Cut torn_vertices(const Pyramid& pyramid, const std::vector<Point>& rest_places,
+                  const std::vector<Point>& places, const SeamOptions& options) {
   const auto torn = [&](int i, int j) {
-    const double rest = (nodes.cloud.positions[i] - nodes.cloud.positions[j]).norm();
+    const double rest = (rest_places[i] - rest_places[j]).norm();
     const double now = (places[i] - places[j]).norm();
     return now > options.torn * rest && now - rest > options.gap;
   };
-  const Proxy& proxy = pyramid.proxy;
+  const std::vector<int> cell = detail_cells(pyramid, static_cast<int>(places.size()));
   Cut cut;
-  for (const Face& face : proxy.mesh.faces)
+  for (const Face& face : pyramid.detail.mesh.faces)
     for (int k = 0; k < 3; ++k)
-      if (torn(nodes.cell[face[k]], nodes.cell[face[(k + 1) % 3]]))
+      if (torn(cell[face[k]], cell[face[(k + 1) % 3]]))
         for (const int v : {face[k], face[(k + 1) % 3]})
-          cut.push_back(pyramid.detail.surface_vertex[proxy.detail_vertex[v]]);
+          cut.push_back(pyramid.detail.surface_vertex[v]);
   std::ranges::sort(cut);
   const auto repeated = std::ranges::unique(cut);
   cut.erase(repeated.begin(), repeated.end());
@@ -112,10 +113,10 @@ Pyramids Separation::cut_where_torn(const Pyramids& pyramids, const Track& track
     const Pyramid& pyramid = *pyramids[k];
     Cut torn;
     if (k == 0)
-      torn = torn_vertices(pyramid, track.target->graph, selected(rest, nearest), options_.seams);
-    else if (&pyramid == track.judged.source)
-      torn = torn_vertices(pyramid, track.source->graph, track.deformation.positions(),
+      torn = torn_vertices(pyramid, track.target->graph.cloud.positions, selected(rest, nearest),
                            options_.seams);
+    else if (&pyramid == track.judged.source)
+      torn = torn_vertices(pyramid, rest, track.deformation.positions(), options_.seams);
     if (!torn.empty()) result[k] = with_cut(pyramids, k, united(pyramid.view.cut, torn));
   }
   return result;

@@ -11,15 +11,6 @@
 namespace isomatch::tracked {
 namespace {
 
-/// The node that is closest along the surface, for each vertex of the detail.
-std::vector<int> nearest_nodes(const Pyramid& pyramid, int nodes) {
-  std::vector<int> sources(nodes);
-  for (int i = 0; i < nodes; ++i) sources[i] = pyramid.proxy.detail_vertex[pyramid.proxy.nodes[i]];
-  std::vector<int> nearest = GeodesicSearch(*pyramid.detail.graph).nearest_source(sources).nearest;
-  for (int& node : nearest) node = std::max(node, 0);  // A component without a node has none.
-  return nearest;
-}
-
 /// Means over a node and those around it, by their distances at rest from a point.
 class Blend {
  public:
@@ -88,6 +79,14 @@ void move(const Blend& blend, int nearest, std::size_t v, DeformedSurface& surfa
 
 }  // namespace
 
+std::vector<int> detail_cells(const Pyramid& pyramid, int nodes) {
+  std::vector<int> sources(nodes);
+  for (int i = 0; i < nodes; ++i) sources[i] = pyramid.proxy.detail_vertex[pyramid.proxy.nodes[i]];
+  std::vector<int> nearest = GeodesicSearch(*pyramid.detail.graph).nearest_source(sources).nearest;
+  for (int& node : nearest) node = std::max(node, 0);  // A component without a node has none.
+  return nearest;
+}
+
 DeformedSurface at_rest(std::vector<Point> positions, std::vector<Point> normals,
                         std::vector<elastic::Features> features) {
   const std::size_t count = positions.size();
@@ -97,7 +96,7 @@ DeformedSurface at_rest(std::vector<Point> positions, std::vector<Point> normals
 
 DeformedSurface deformed_surface(const Pyramid& pyramid, const elastic::Deformation& deformation,
                                  const elastic::PointCloud& nodes, const Context& context) {
-  const std::vector<int> nearest = nearest_nodes(pyramid, deformation.size());
+  const std::vector<int> nearest = detail_cells(pyramid, deformation.size());
   const Blend blend(deformation, nodes);
   DeformedSurface result =
       at_rest(pyramid.surface->mesh.vertices, pyramid.surface->normals, pyramid.detail.features);

@@ -10,6 +10,10 @@
 
 namespace isomatch::tracked {
 
+/// For each vertex of the detail that of the first so many nodes in whose Voronoi cell it lies.
+/// O(N log N).
+std::vector<int> detail_cells(const Pyramid& pyramid, int nodes);
+
 /// A deformed surface: positions and normals of its vertices, and, of those that have features, the
 /// relief at rest and the places on the target where they went.
 struct DeformedSurface {

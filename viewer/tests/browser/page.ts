@@ -27,6 +27,13 @@ export interface Half {
   hash: number;
 }
 
+const VIEWPORT = { width: 1000, height: 750 };
+
+async function load(page: Page, path: string): Promise<void> {
+  await page.goto(pathToFileURL(path).href);
+  await page.waitForSelector('html[data-complete]', { timeout: 60_000 });
+}
+
 /** A report in the browser. Whatever the page complains about or fetches is remembered. */
 export class ReportPage {
   readonly complaints: string[] = [];
@@ -45,11 +52,22 @@ export class ReportPage {
     path: string,
     options: Parameters<Browser['newPage']>[0] = {},
   ): Promise<ReportPage> {
-    const page = await browser.newPage({ viewport: { width: 1000, height: 750 }, ...options });
+    const page = await browser.newPage({ viewport: VIEWPORT, ...options });
     const report = new ReportPage(page);
-    await page.goto(pathToFileURL(path).href);
-    await page.waitForSelector('html[data-complete]', { timeout: 60_000 });
+    await load(page, path);
     return report;
+  }
+
+  /** Seconds for which the page's main thread computes until it is complete, however busy the
+   * machine is with other things. */
+  static async secondsComputed(browser: Browser, path: string): Promise<number> {
+    const page = await browser.newPage({ viewport: VIEWPORT });
+    const session = await page.context().newCDPSession(page);
+    await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+    await load(page, path);
+    const { metrics } = await session.send('Performance.getMetrics');
+    await page.close();
+    return metrics.find(({ name }) => name === 'TaskDuration')?.value ?? Number.NaN;
   }
 
   /** Ends the visit; nothing may have gone wrong, and nothing been fetched. */
