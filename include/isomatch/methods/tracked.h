@@ -55,9 +55,10 @@ struct TrackedMap {
   /// nearest ones that are.
   std::vector<Point> registered;
   /// As-rigid-as-possible energy of the registration by which maps are ranked, before the last
-  /// one; the less, the better.
+  /// one; the less, the better. Of parts with the price of what is left out.
   double energy = 0;
-  /// Mean distance of the nodes of that registration from the target.
+  /// Mean distance of the nodes of that registration from the target, and mean distance from them
+  /// of what they leave uncovered of it; of parts instead the price of what is left out.
   double distance = 0;
   /// Mean deviation of their normals from the target's, 1 - cosine.
   double deviation = 0;
