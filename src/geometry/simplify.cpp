@@ -28,10 +28,10 @@ std::vector<Face> simplified_faces(const Mesh& mesh, int count) {
   return faces;
 }
 
-SimplifiedMesh simplify(const Mesh& mesh, int count) {
-  SimplifiedMesh result{{{}, simplified_faces(mesh, count)}, {}};
+SimplifiedMesh without_unused_vertices(const Mesh& mesh) {
+  SimplifiedMesh result{{{}, mesh.faces}, {}};
   std::vector<int> number(mesh.vertices.size(), 0);
-  for (const Face& face : result.mesh.faces)
+  for (const Face& face : mesh.faces)
     for (int v : face) number[v] = 1;
   for (int v = 0; v < mesh.num_vertices(); ++v) {
     if (number[v] == 0) continue;
@@ -42,6 +42,10 @@ SimplifiedMesh simplify(const Mesh& mesh, int count) {
   for (Face& face : result.mesh.faces)
     for (int& v : face) v = number[v];
   return result;
+}
+
+SimplifiedMesh simplify(const Mesh& mesh, int count) {
+  return without_unused_vertices({mesh.vertices, simplified_faces(mesh, count)});
 }
 
 }  // namespace isomatch

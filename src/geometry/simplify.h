@@ -19,6 +19,9 @@ struct SimplifiedMesh {
   std::vector<int> kept;
 };
 
+/// The mesh without the vertices that have no face, in the same order. O(N).
+SimplifiedMesh without_unused_vertices(const Mesh& mesh);
+
 /// The mesh of `simplified_faces`; `mesh` itself if it has no more vertices, all of which must have
 /// a face.
 SimplifiedMesh simplify(const Mesh& mesh, int count);

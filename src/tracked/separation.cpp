@@ -66,10 +66,6 @@ Separation::Separation(const Pyramids& pyramids, Make make, const Options& optio
     cuts_.push_back(possible_cuts(pyramid->detail, options.seams, context));
 }
 
-bool Separation::needed() const {
-  return std::ranges::any_of(cuts_, [](const auto& cuts) { return !cuts.empty(); });
-}
-
 std::shared_ptr<const Pyramid> Separation::with_cut(const Pyramids& pyramids, std::size_t k,
                                                     Cut cut) const {
   View view = pyramids[k]->view;
@@ -79,6 +75,7 @@ std::shared_ptr<const Pyramid> Separation::with_cut(const Pyramids& pyramids, st
 
 void Separation::open_handles(Pyramids& pyramids, Candidates& candidates,
                               const Context& context) const {
+  if (std::ranges::all_of(cuts_, [](const auto& cuts) { return cuts.empty(); })) return;
   double least = least_cost(candidates);
   const auto replace_if_better = [&](Pyramids others) {
     Candidates found = all_judged(others, options_, context);

@@ -29,10 +29,8 @@ class Separation {
   /// Keeps a reference to the options.
   Separation(const Pyramids& pyramids, Make make, const Options& options, const Context& context);
 
-  /// Whether any of the shapes may have such parts.
-  bool needed() const;
   /// Opens the handles for which hypotheses agree better: `candidates` are those of `pyramids`, and
-  /// both are replaced.
+  /// both are replaced. Does nothing where no shape may have such parts.
   void open_handles(Pyramids& pyramids, Candidates& candidates, const Context& context) const;
   /// The pyramids with cuts where a track tears the surfaces: those given if there are none.
   Pyramids cut_where_torn(const Pyramids& pyramids, const Track& track,

@@ -272,7 +272,7 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
   Candidates candidates =
       timed("hypotheses", kHypothesesBegin, kRefinementBegin, [&](const Context& part) {
         Candidates judged = all_judged(pyramids, options, part);
-        if (separation.needed()) separation.open_handles(pyramids, judged, silent);
+        separation.open_handles(pyramids, judged, silent);
         return judged;
       });
   check_found(candidates);
@@ -281,8 +281,7 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
   const Finals finals =
       timed("refinement", kRefinementBegin, kDenseMapBegin, [&](const Context& part) {
         Finals followed = run_finals(*pyramids.front(), candidates.possible, options, part);
-        if (separation.needed())
-          cut_and_follow_again(separation, pyramids, candidates, followed, options, silent);
+        cut_and_follow_again(separation, pyramids, candidates, followed, options, silent);
         result.contradicted_landmarks =
             those_between(from, onto, tracked_options.landmarks,
                           contradicted_landmarks(*pyramids.front(), candidates.contradicting,

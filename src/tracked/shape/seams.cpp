@@ -6,10 +6,10 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "geometry/handle_loop.h"
+#include "geometry/simplify.h"
 #include "parallel.h"
 
 namespace isomatch::tracked {
@@ -80,13 +80,12 @@ double length(const Mesh& mesh, const Loop& loop) {
   return sum;
 }
 
+/// The loops have no vertex in common.
 Cut cut_along(const Detail& detail, const std::vector<Loop>& loops) {
   Cut cut;
   for (const Loop& loop : loops)
     for (const int v : loop.vertices) cut.push_back(detail.surface_vertex[v]);
   std::ranges::sort(cut);
-  const auto repeated = std::ranges::unique(cut);
-  cut.erase(repeated.begin(), repeated.end());
   return cut;
 }
 
@@ -133,21 +132,13 @@ Detail without(const Detail& detail, const Cut& cut, const Context& context) {
   std::vector<bool> removed(detail.mesh.vertices.size(), false);
   for (std::size_t v = 0; v < removed.size(); ++v)
     removed[v] = std::ranges::binary_search(cut, detail.surface_vertex[v]);
+  SimplifiedMesh rest = without_unused_vertices(remaining(detail.mesh, removed));
   Detail result;
-  result.mesh = remaining(detail.mesh, removed);
-  std::vector<int> renumbered(removed.size(), kNoVertex);
-  for (const Face& face : result.mesh.faces)
-    for (const int v : face) renumbered[v] = 0;
-  result.mesh.vertices.clear();
-  for (std::size_t v = 0; v < renumbered.size(); ++v) {
-    if (renumbered[v] == kNoVertex) continue;
-    renumbered[v] = result.mesh.num_vertices();
-    result.mesh.vertices.push_back(detail.mesh.vertices[v]);
+  result.mesh = std::move(rest.mesh);
+  for (const int v : rest.kept) {
     result.surface_vertex.push_back(detail.surface_vertex[v]);
     result.features.push_back(detail.features[v]);
   }
-  for (Face& face : result.mesh.faces)
-    for (int& v : face) v = renumbered[v];
   result.faces = vertex_faces(result.mesh);
   result.graph = std::make_shared<const GeodesicGraph>(result.mesh, GeodesicOptions{}, context);
   return result;
