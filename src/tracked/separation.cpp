@@ -21,7 +21,7 @@ double least_cost(const Candidates& candidates) {
 /// Vertices of the surface on both sides of edges between cells of nodes that are torn apart where
 /// they move to `places`.
 Cut torn_vertices(const Pyramid& pyramid, const std::vector<Point>& rest_places,
-                  const std::vector<Point>& places, const SeamOptions& options) {
+                  const std::vector<Point>& places, const ContactOptions& options) {
   const auto torn = [&](int i, int j) {
     const double rest = (rest_places[i] - rest_places[j]).norm();
     const double now = (places[i] - places[j]).norm();
@@ -63,7 +63,7 @@ Separation::Separation(const Pyramids& pyramids, Make make, const Options& optio
                        const Context& context)
     : make_(std::move(make)), options_(options) {
   for (const auto& pyramid : pyramids)
-    cuts_.push_back(possible_cuts(pyramid->detail, options.seams, context));
+    cuts_.push_back(possible_cuts(pyramid->detail, options.contacts, context));
 }
 
 std::shared_ptr<const Pyramid> Separation::with_cut(const Pyramids& pyramids, std::size_t k,
@@ -73,12 +73,21 @@ std::shared_ptr<const Pyramid> Separation::with_cut(const Pyramids& pyramids, st
   return make_(k, view);
 }
 
+bool Separation::is_possible() const {
+  return std::ranges::any_of(cuts_, [](const auto& cuts) { return !cuts.empty(); });
+}
+
 void Separation::open_handles(Pyramids& pyramids, Candidates& candidates,
                               const Context& context) const {
-  if (std::ranges::all_of(cuts_, [](const auto& cuts) { return cuts.empty(); })) return;
+  if (!is_possible()) return;
+  // First all shapes are cut, then every other choice for one shape is tried.
+  std::size_t tried = 0, most = 1;
+  for (const std::vector<Cut>& cuts : cuts_) most += cuts.size();
+  const double share = 1.0 / static_cast<double>(most);
   double least = least_cost(candidates);
   const auto replace_if_better = [&](Pyramids others) {
-    Candidates found = all_judged(others, options_, context);
+    const double begin = share * static_cast<double>(tried++);
+    Candidates found = all_judged(others, options_, part_of(context, begin, begin + share));
     const double cost = least_cost(found);
     if (cost >= least) return;
     least = cost;
@@ -111,9 +120,9 @@ Pyramids Separation::cut_where_torn(const Pyramids& pyramids, const Track& track
     Cut torn;
     if (k == 0)
       torn = torn_vertices(pyramid, track.target->graph.cloud.positions, selected(rest, nearest),
-                           options_.seams);
+                           options_.contacts);
     else if (&pyramid == track.judged.source)
-      torn = torn_vertices(pyramid, rest, track.deformation.positions(), options_.seams);
+      torn = torn_vertices(pyramid, rest, track.deformation.positions(), options_.contacts);
     if (!torn.empty()) result[k] = with_cut(pyramids, k, united(pyramid.view.cut, torn));
   }
   return result;

@@ -29,6 +29,8 @@ class Separation {
   /// Keeps a reference to the options.
   Separation(const Pyramids& pyramids, Make make, const Options& options, const Context& context);
 
+  /// Whether any shape may have such parts.
+  bool is_possible() const;
   /// Opens the handles for which hypotheses agree better: `candidates` are those of `pyramids`, and
   /// both are replaced. Does nothing where no shape may have such parts.
   void open_handles(Pyramids& pyramids, Candidates& candidates, const Context& context) const;

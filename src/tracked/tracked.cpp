@@ -120,6 +120,7 @@ PairView taken_for(const Views& views, const Surface& source, const Surface& tar
 Options for_parts(Options options) {
   options.parts = true;
   options.entrants = options.partial.entrants;
+  options.hypotheses.local_shapes.clusters = options.partial.clusters;
   options.hypotheses.poses.price = options.partial.pose_price;
   options.hypotheses.growth.price = options.partial.landmark_price;
   options.hypotheses.growth.doubt = options.partial.doubt;
@@ -154,9 +155,11 @@ void cut_and_follow_again(const Separation& separation, Pyramids& pyramids, Cand
                           Finals& finals, const Options& options, const Context& context) {
   Pyramids cut = separation.cut_where_torn(pyramids, finals.tracks.front(), finals.nearest);
   if (cut == pyramids) return;
-  Candidates again = all_judged(cut, options, context);
+  // Of the time, how much judging takes.
+  constexpr double kJudged = 0.4;
+  Candidates again = all_judged(cut, options, part_of(context, 0, kJudged));
   if (again.possible.empty()) return;
-  Finals followed = run_finals(*cut.front(), again.possible, options, context);
+  Finals followed = run_finals(*cut.front(), again.possible, options, part_of(context, kJudged, 1));
   if (followed.tracks.front().cost() >= finals.tracks.front().cost()) return;
   pyramids = std::move(cut);
   candidates = std::move(again);
@@ -271,8 +274,10 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
       options, silent);
   Candidates candidates =
       timed("hypotheses", kHypothesesBegin, kRefinementBegin, [&](const Context& part) {
-        Candidates judged = all_judged(pyramids, options, part);
-        separation.open_handles(pyramids, judged, silent);
+        // Of the time, how much the first of many takes.
+        const double first = separation.is_possible() ? 0.2 : 1;
+        Candidates judged = all_judged(pyramids, options, part_of(part, 0, first));
+        separation.open_handles(pyramids, judged, part_of(part, first, 1));
         return judged;
       });
   check_found(candidates);
@@ -280,8 +285,11 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
     result.hypotheses.push_back({j.hypothesis.distortion, j.hypothesis.orientation, j.energy});
   const Finals finals =
       timed("refinement", kRefinementBegin, kDenseMapBegin, [&](const Context& part) {
-        Finals followed = run_finals(*pyramids.front(), candidates.possible, options, part);
-        cut_and_follow_again(separation, pyramids, candidates, followed, options, silent);
+        const double first = separation.is_possible() ? 0.5 : 1;
+        Finals followed =
+            run_finals(*pyramids.front(), candidates.possible, options, part_of(part, 0, first));
+        cut_and_follow_again(separation, pyramids, candidates, followed, options,
+                             part_of(part, first, 1));
         result.contradicted_landmarks =
             those_between(from, onto, tracked_options.landmarks,
                           contradicted_landmarks(*pyramids.front(), candidates.contradicting,

@@ -58,9 +58,10 @@ std::string GltfText::json() const {
 
 std::string tetrahedron_buffer() {
   std::string buffer;
-  for (const Point& p : tetrahedron().vertices)
+  const Mesh mesh = tetrahedron();
+  for (const Point& p : mesh.vertices)
     for (const double c : p) buffer += bytes<float>(std::endian::little, {static_cast<float>(c)});
-  for (const Face& face : tetrahedron().faces)
+  for (const Face& face : mesh.faces)
     for (const int v : face)
       buffer += bytes<std::uint16_t>(std::endian::little, {static_cast<std::uint16_t>(v)});
   return buffer;

@@ -10,9 +10,9 @@
 #include "isomatch/maps/correspondence.h"
 #include "spectral/spectral_map.h"
 #include "tracked/options.h"
+#include "tracked/shape/contacts.h"
 #include "tracked/shape/detail.h"
 #include "tracked/shape/proxy.h"
-#include "tracked/shape/seams.h"
 
 namespace isomatch::tracked {
 

@@ -118,20 +118,20 @@ std::vector<bool> inside_after(const elastic::PointCloud& cloud, const IndexList
   return smoothed(inside, cloud.areas, neighbours, options.partial);
 }
 
-double left_out(const Sides& left, const PartialOptions& options) {
-  DisjointSets pieces = pieces_of(left.inside, false, left.neighbours);
+double left_out(const Coverage& nodes, const PartialOptions& options) {
+  DisjointSets pieces = pieces_of(nodes.inside, false, nodes.neighbours);
   struct Piece {
     double area = 0;
     int border = 0, by_rim = 0;
   };
-  std::vector<Piece> sums(left.inside.size());
-  for (int i = 0; i < left.neighbours.size(); ++i) {
-    if (left.inside[i]) continue;
+  std::vector<Piece> sums(nodes.inside.size());
+  for (int i = 0; i < nodes.neighbours.size(); ++i) {
+    if (nodes.inside[i]) continue;
     Piece& piece = sums[pieces.find(i)];
-    piece.area += left.areas[i];
-    if (std::ranges::none_of(left.neighbours[i], [&](int j) { return left.inside[j]; })) continue;
+    piece.area += nodes.areas[i];
+    if (std::ranges::none_of(nodes.neighbours[i], [&](int j) { return nodes.inside[j]; })) continue;
     ++piece.border;
-    if (left.by_rim[i]) ++piece.by_rim;
+    if (nodes.by_rim[i]) ++piece.by_rim;
   }
   double price = 0;
   for (const Piece& piece : sums) {

@@ -27,7 +27,7 @@ std::vector<bool> smoothed(const std::vector<bool>& inside, const std::vector<do
                            const IndexLists& neighbours, const PartialOptions& options);
 
 /// Nodes of a shape of which some are left out.
-struct Sides {
+struct Coverage {
   const std::vector<bool>& inside;
   /// Whether what is closest on the other shape is at its rim.
   const std::vector<bool>& by_rim;
@@ -37,7 +37,7 @@ struct Sides {
 
 /// The area of the nodes that are not inside. A piece counts more, the less of its border is by the
 /// rim of the other shape, beyond which its counterpart may be what is missing.
-double left_out(const Sides& sides, const PartialOptions& options);
+double left_out(const Coverage& nodes, const PartialOptions& options);
 
 /// Whether each foot is by the rim of the proxy that it is on.
 std::vector<bool> feet_by_rim(const elastic::Registration& registration, const Proxy& target,

@@ -19,7 +19,7 @@ Cut united(const Cut& a, const Cut& b);
 /// handle. The first cut takes always the loop in the deepest valley; each of the others avoids one
 /// of its loops, since there are valleys where nothing is fused, such as necks. None if the detail
 /// has no handles, or too many to be fused parts. O(N log N) for each handle and cut.
-std::vector<Cut> possible_cuts(const Detail& detail, const SeamOptions& options,
+std::vector<Cut> possible_cuts(const Detail& detail, const ContactOptions& options,
                                const Context& context);
 
 /// The detail without the vertices of a cut.

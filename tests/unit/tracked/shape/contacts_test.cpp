@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/shape/seams.h"
+#include "tracked/shape/contacts.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ int num_handles(const Detail& detail) {
       .num_handles();
 }
 
-TEST(Seams, AreWhereAHandleIsInAValley) {
+TEST(Contacts, AreWhereAHandleIsInAValley) {
   const Mesh mesh = fused_ring(0.6);
   const Prepared ring(mesh);
   const std::vector<Cut> cuts = possible_cuts(ring.detail, {}, {});
@@ -48,15 +48,15 @@ TEST(Seams, AreWhereAHandleIsInAValley) {
   EXPECT_EQ(num_handles(apart), 0);
 }
 
-TEST(Seams, HandlesWithoutAValleyStayClosed) {
+TEST(Contacts, HandlesWithoutAValleyStayClosed) {
   EXPECT_TRUE(possible_cuts(Prepared(fused_ring(0)).detail, {}, {}).empty());
 }
 
-TEST(Seams, ShapesWithoutHandlesHaveNone) {
+TEST(Contacts, ShapesWithoutHandlesHaveNone) {
   EXPECT_TRUE(possible_cuts(Prepared(test::box(8)).detail, {}, {}).empty());
 }
 
-TEST(Seams, ADetailWithoutACutKeepsTheRest) {
+TEST(Contacts, ADetailWithoutACutKeepsTheRest) {
   const Prepared ring(fused_ring(0.6));
   const Cut cut{3, 50, 51};
   const Detail apart = without(ring.detail, cut, {});
@@ -70,7 +70,7 @@ TEST(Seams, ADetailWithoutACutKeepsTheRest) {
   }
 }
 
-TEST(Seams, CutsAreUnited) {
+TEST(Contacts, CutsAreUnited) {
   EXPECT_EQ(united({1, 4, 9}, {2, 4}), (Cut{1, 2, 4, 9}));
   EXPECT_EQ(united({}, {2, 4}), (Cut{2, 4}));
 }

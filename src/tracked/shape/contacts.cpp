@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
-#include "tracked/shape/seams.h"
+#include "tracked/shape/contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 using Loop = HandleLoops::Loop;
 
 /// What it costs to go along each vertex: the less, the deeper its valley.
-std::vector<double> valley_weights(const Detail& detail, const SeamOptions& options) {
+std::vector<double> valley_weights(const Detail& detail, const ContactOptions& options) {
   std::vector<double> weights;
   for (const elastic::Features& features : detail.features)
     weights.push_back(std::exp(std::min(0.0, features.relief[0] / options.valley)));
@@ -35,7 +35,7 @@ std::vector<int> some_of(const std::vector<int>& vertices, int count) {
 
 /// Some vertices of a mesh, evenly spread over those in the deepest valleys.
 std::vector<int> valley_roots(const Mesh& mesh, const std::vector<double>& weights,
-                              const std::vector<bool>& removed, const SeamOptions& options) {
+                              const std::vector<bool>& removed, const ContactOptions& options) {
   std::vector<int> vertices;
   for (int v = 0; v < mesh.num_vertices(); ++v)
     if (!removed[v]) vertices.push_back(v);
@@ -54,7 +54,7 @@ Mesh remaining(const Mesh& mesh, const std::vector<bool>& removed) {
 
 /// The cheapest loops, each after what those before have cut.
 std::vector<Loop> successive_loops(const Mesh& mesh, const std::vector<double>& weights,
-                                   const SeamOptions& options, const Context& context) {
+                                   const ContactOptions& options, const Context& context) {
   std::vector<Loop> loops;
   std::vector<bool> removed(mesh.vertices.size(), false);
   while (std::cmp_less(loops.size(), options.most_handles)) {
@@ -90,7 +90,7 @@ Cut cut_along(const Detail& detail, const std::vector<Loop>& loops) {
 }
 
 /// Makes everything close to a loop dear.
-void avoid(const Mesh& mesh, const Loop& loop, const SeamOptions& options,
+void avoid(const Mesh& mesh, const Loop& loop, const ContactOptions& options,
            std::vector<double>& weights) {
   constexpr double kDear = 100;
   for (int v = 0; v < mesh.num_vertices(); ++v)
@@ -108,7 +108,7 @@ Cut united(const Cut& a, const Cut& b) {
   return both;
 }
 
-std::vector<Cut> possible_cuts(const Detail& detail, const SeamOptions& options,
+std::vector<Cut> possible_cuts(const Detail& detail, const ContactOptions& options,
                                const Context& context) {
   const std::vector<double> weights = valley_weights(detail, options);
   const int handles = HandleLoops(detail.mesh, weights).num_handles();
