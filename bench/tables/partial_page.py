@@ -160,7 +160,7 @@ def comparison(rows, earlier_rows):
 HEADER = """# Pieces, fused parts and rigid shapes
 
 Made by `bench/tables/partial.py` at commit {commit} on {machine}; {jobs} at a time, of {threads}
-threads{options}. Every shape was turned and shifted by itself.
+threads{options}. Every shape was turned and shifted by itself.{share}
 
 """
 
@@ -193,11 +193,18 @@ def pairs_section(rows):
     return "\n".join(lines)
 
 
+def share_of_pairs(arguments):
+    if arguments.every == 1:
+        return ""
+    return f" Of each set one pair in {arguments.every} was matched."
+
+
 def page(arguments, rows, picture):
     """`picture`: the file of the plot of confidence, beside the page, or None."""
     options = "".join(f" {word}" for word in arguments.options)
     text = HEADER.format(commit=commit(), machine=machine(), jobs=arguments.jobs,
-                         threads=arguments.threads, options=options and f", with{options}")
+                         threads=arguments.threads, options=options and f", with{options}",
+                         share=share_of_pairs(arguments))
     text += TEXT.format(gross=GROSS, samples=SAMPLES) + summary(rows) + landmark_table(rows)
     return text + calibration_table(rows, picture) + pairs_section(rows) + "\n"
 

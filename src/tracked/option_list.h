@@ -137,6 +137,7 @@ void for_each_number(LocalShapeOptions& l, const std::string& at, const Visitor&
   visit(at + ".doubt", l.doubt);
   visit(at + ".least_agreement", l.least_agreement);
   visit(at + ".clusters", l.clusters);
+  visit(at + ".entrants", l.entrants);
 }
 
 template <class Visitor>

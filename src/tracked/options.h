@@ -194,8 +194,9 @@ struct LocalShapeOptions {
   /// Difference of distances at which two matches do not agree at all, weight of what may be due
   /// to what is missing, and how well a match agrees with those before it on average.
   float tolerable_difference = 0.05F, doubt = 0.5F, least_agreement = 0.7F;
-  /// Sets of such matches that are hypotheses: none where nothing is missing.
-  int clusters = 0;
+  /// Sets of such matches that are hypotheses, none where nothing is missing, and how many of them
+  /// are followed on the middle level, beside `Options::entrants` others.
+  int clusters = 0, entrants = 16;
 };
 
 /// A number of landmarks, and how many maps are kept.

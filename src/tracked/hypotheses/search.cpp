@@ -308,7 +308,10 @@ std::vector<Hypothesis> alike_hypotheses(const Proxy& source, const Proxy& targe
   if (options.growth.orientation && source.oriented && target.oriented) drop_mirrored(maps);
   keep_different(maps, onto, options.local_shapes.clusters, options);
   std::vector<Hypothesis> hypotheses;
-  for (const LandmarkMap& map : maps) hypotheses.push_back(between_nodes(map, from, onto));
+  for (const LandmarkMap& map : maps) {
+    hypotheses.push_back(between_nodes(map, from, onto));
+    hypotheses.back().alike = true;
+  }
   return hypotheses;
 }
 
