@@ -49,11 +49,11 @@ TEST_F(GltfScene, AllMeshesAreReadWhereTheirNodesPutThem) {
   const Mesh mesh = read();
   ASSERT_EQ(mesh.num_vertices(), 12);
   ASSERT_EQ(mesh.num_faces(), 12);
-  const Point& corner = tetrahedron().vertices[1];
+  const Point corner = tetrahedron().vertices[1];
   EXPECT_EQ(mesh.vertices[1], Point(corner + Point(10, 0, 0)));
   EXPECT_EQ(mesh.vertices[5], Point(2 * corner + Point(10, 0, 0)));
   EXPECT_EQ(mesh.vertices[9], corner);
-  const Face& last = tetrahedron().faces[3];
+  const Face last = tetrahedron().faces[3];
   EXPECT_EQ(mesh.faces[11], (Face{last[0] + 8, last[1] + 8, last[2] + 8}));
   EXPECT_THAT(report_.meshes, ElementsAre("eye", "left", "eye"));
   EXPECT_THAT(report_.warnings, IsEmpty());
@@ -65,7 +65,7 @@ TEST_F(GltfScene, OnlyTheMirroredInstanceIsTurned) {
          .nodes = R"({"mesh":0},{"mesh":0,"scale":[1,-1,1]})",
          .meshes = kBody});
   const Mesh mesh = read();
-  const auto& [a, b, c] = tetrahedron().faces[2];
+  const auto [a, b, c] = tetrahedron().faces[2];
   EXPECT_EQ(mesh.faces[2], (Face{a, b, c}));
   EXPECT_EQ(mesh.faces[6], (Face{a + 4, c + 4, b + 4}));
 }
