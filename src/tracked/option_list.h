@@ -112,7 +112,6 @@ void for_each_number(PartialOptions& p, const std::string& at, const Visitor& vi
   visit(at + ".same_boundary", p.same_boundary);
   visit(at + ".doubt", p.doubt);
   visit(at + ".entrants", p.entrants);
-  visit(at + ".clusters", p.clusters);
   visit(at + ".landmark_price", p.landmark_price);
   visit(at + ".energy_price", p.energy_price);
   visit(at + ".distance_price", p.distance_price);
@@ -129,25 +128,12 @@ void for_each_number(PartialOptions& p, const std::string& at, const Visitor& vi
 }
 
 template <class Visitor>
-void for_each_number(LocalShapeOptions& l, const std::string& at, const Visitor& visit) {
-  visit(at + ".radii.0", l.radii[0]);
-  visit(at + ".radii.1", l.radii[1]);
-  visit(at + ".alike_landmarks", l.alike_landmarks);
-  visit(at + ".tolerable_difference", l.tolerable_difference);
-  visit(at + ".doubt", l.doubt);
-  visit(at + ".least_agreement", l.least_agreement);
-  visit(at + ".clusters", l.clusters);
-  visit(at + ".entrants", l.entrants);
-}
-
-template <class Visitor>
 void for_each_number(HypothesisOptions& h, const std::string& at, const Visitor& visit) {
   for_each_number(h.seeds, at + ".seeds", visit);
   visit(at + ".growth.slack", h.growth.slack);
   visit(at + ".growth.orientation_weight", h.growth.orientation_weight);
   visit(at + ".growth.neighbours", h.growth.neighbours);
   for_each_number(h.poses, at + ".poses", visit);
-  for_each_number(h.local_shapes, at + ".local_shapes", visit);
   for_each_number(h.coarse, at + ".coarse", visit);
   for_each_number(h.fine, at + ".fine", visit);
   for_each_number(h.symmetry, at + ".symmetry", visit);

@@ -16,33 +16,13 @@ namespace {
 
 /// Numbers of which none would leave nothing to work on, or divide by zero.
 bool must_be_positive(std::string_view name) {
-  for (const std::string_view ending : {"vertices",
-                                        "proxy.nodes",
-                                        "measured_nodes",
-                                        "coarse_nodes",
-                                        "middle_nodes",
-                                        "functions",
-                                        "landmarks",
-                                        "max_maps",
-                                        "_length",
-                                        "entrants",
-                                        "finalists",
-                                        "first_basis",
-                                        "roots",
-                                        "contacts.valley",
-                                        "neighbours",
-                                        "relief_scales.0",
-                                        "relief_scales.1",
-                                        "relief_scales.2",
-                                        "landmark_reach",
-                                        "tolerable",
-                                        "_points",
-                                        "_pair",
-                                        "_bin",
-                                        "close",
-                                        "radii.0",
-                                        "radii.1",
-                                        "tolerable_difference"})
+  for (const std::string_view ending :
+       {"vertices",        "proxy.nodes",     "measured_nodes", "coarse_nodes",
+        "middle_nodes",    "functions",       "landmarks",      "max_maps",
+        "_length",         "entrants",        "finalists",      "first_basis",
+        "roots",           "contacts.valley", "neighbours",     "relief_scales.0",
+        "relief_scales.1", "relief_scales.2", "landmark_reach", "tolerable",
+        "_points",         "_pair",           "_bin",           "close"})
     if (name.ends_with(ending)) return true;
   return false;
 }

@@ -77,15 +77,12 @@ struct PartialOptions {
   float doubt = 0.5F;
   /// Hypotheses that are followed on the middle level: more than of whole shapes, since distances
   /// tell less.
-  int entrants = 32;
-  /// Sets of landmarks that look alike and agree that are hypotheses, see `LocalShapeOptions`.
-  int clusters = 48;
+  int entrants = 16;
   /// What it costs to leave out a landmark: as much distortion.
   float landmark_price = 0.06F;
   /// What it costs to leave out area, as elastic energy and as distance of the surfaces, where it
-  /// is beyond the rim of the other shape: about what right maps between animals cost. Half more,
-  /// and all is matched where a fifth overlaps; a third less, and a leg suffices where it is most.
-  double energy_price = 0.07, distance_price = 0.003;
+  /// is beyond the rim of the other shape.
+  double energy_price = 0.1, distance_price = 0.005;
   /// By how much more it costs where it is not.
   double contradiction_price = 4;
   /// What the cost of a motion in space is multiplied by, see `PoseOptions::price`: distances along
@@ -185,20 +182,6 @@ struct PoseOptions {
   double normal_weight = 0.05;
 };
 
-/// How hypotheses are found where little overlaps: from landmarks that look alike.
-struct LocalShapeOptions {
-  /// Within which the surface is looked at: parts of a limb, and a limb.
-  std::array<float, 2> radii{0.12F, 0.3F};
-  /// Landmarks of the target that each of the source may match.
-  int alike_landmarks = 20;
-  /// Difference of distances at which two matches do not agree at all, weight of what may be due
-  /// to what is missing, and how well a match agrees with those before it on average.
-  float tolerable_difference = 0.05F, doubt = 0.5F, least_agreement = 0.7F;
-  /// Sets of such matches that are hypotheses, none where nothing is missing, and how many of them
-  /// are followed on the middle level, beside `Options::entrants` others.
-  int clusters = 0, entrants = 16;
-};
-
 /// A number of landmarks, and how many maps are kept.
 struct GrowthStage {
   int source_landmarks;
@@ -210,7 +193,6 @@ struct HypothesisOptions {
   SeedOptions seeds;
   GrowthOptions growth;
   PoseOptions poses;
-  LocalShapeOptions local_shapes;
   GrowthStage coarse{40, 200, 48};
   GrowthStage fine{100, 400, 16};
   /// Near-symmetries of the target, and hypotheses that they are applied to, at most.

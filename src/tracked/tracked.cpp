@@ -120,7 +120,6 @@ PairView taken_for(const Views& views, const Surface& source, const Surface& tar
 Options for_parts(Options options) {
   options.parts = true;
   options.entrants = options.partial.entrants;
-  options.hypotheses.local_shapes.clusters = options.partial.clusters;
   options.hypotheses.poses.price = options.partial.pose_price;
   options.hypotheses.growth.price = options.partial.landmark_price;
   options.hypotheses.growth.doubt = options.partial.doubt;

@@ -7,6 +7,16 @@
 #include <numeric>
 
 namespace isomatch::tracked {
+namespace {
+
+/// What two distances differ by, each of which is between a least and a most on the whole shape;
+/// what may be due to what is missing counts as `doubt` says.
+inline float doubted(float least_a, float most_a, float least_b, float most_b, float doubt) {
+  const float sure = std::max({0.0F, least_b - most_a, least_a - most_b});
+  return sure + doubt * (std::abs(most_a - most_b) - sure);
+}
+
+}  // namespace
 
 Growth::Growth(const NodeDirections& source, int source_count, const NodeDirections& target,
                int target_count, const GrowthOptions& options)
@@ -48,10 +58,10 @@ void Growth::accumulate(int source, const std::vector<int>& map) {
 }
 
 float Growth::difference(int source, int other, int target, int other_target) const {
-  if (!partial_)
-    return std::abs(source_.distance(source, other) - target_.distance(target, other_target));
-  return doubted_difference(source_, {source, other}, target_, {target, other_target},
-                            options_.doubt);
+  const float a = source_.distance(source, other), b = target_.distance(target, other_target);
+  if (!partial_) return std::abs(a - b);
+  return doubted(source_.least_distances_from(source)[other], a,
+                 target_.least_distances_from(target)[other_target], b, options_.doubt);
 }
 
 void Growth::find_nearest_matched(int source, const std::vector<int>& map) {

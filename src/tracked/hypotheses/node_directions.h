@@ -2,9 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <complex>
 #include <span>
 #include <vector>
@@ -41,21 +38,5 @@ class NodeDirections {
   FloatMatrix distances_, least_;
   std::vector<std::complex<float>> directions_;
 };
-
-/// What two distances differ by, each of which is between a least and a most on the whole shape;
-/// what may be due to what is missing counts as `doubt` says.
-inline float doubted(float least_a, float most_a, float least_b, float most_b, float doubt) {
-  const float sure = std::max({0.0F, least_b - most_a, least_a - most_b});
-  return sure + doubt * (std::abs(most_a - most_b) - sure);
-}
-
-/// The same of the distances between two landmarks each.
-inline float doubted_difference(const NodeDirections& source, std::array<int, 2> from,
-                                const NodeDirections& target, std::array<int, 2> onto,
-                                float doubt) {
-  return doubted(source.least_distances_from(from[0])[from[1]], source.distance(from[0], from[1]),
-                 target.least_distances_from(onto[0])[onto[1]], target.distance(onto[0], onto[1]),
-                 doubt);
-}
 
 }  // namespace isomatch::tracked

@@ -10,9 +10,7 @@
 
 #include "parallel.h"
 #include "steps.h"
-#include "tracked/hypotheses/clusters.h"
 #include "tracked/hypotheses/densify.h"
-#include "tracked/hypotheses/local_shape.h"
 #include "tracked/hypotheses/poses.h"
 
 namespace isomatch::tracked {
@@ -51,9 +49,11 @@ void drop_mirrored(std::vector<LandmarkMap>& maps) {
   if (!std::ranges::all_of(maps, is_mirrored)) std::erase_if(maps, is_mirrored);
 }
 
-/// Drops maps that are nearly the same as one before them, and keeps the first of the others.
-void keep_different(std::vector<LandmarkMap>& maps, const NodeDirections& target, int count,
-                    const HypothesisOptions& options) {
+/// Sorts by score, drops maps that are nearly the same as a better one, and keeps the best.
+void select(std::vector<LandmarkMap>& maps, const NodeDirections& target, int count,
+            const HypothesisOptions& options) {
+  std::ranges::stable_sort(maps, {},
+                           [&](const LandmarkMap& map) { return score(map, options.growth); });
   std::vector<LandmarkMap> kept;
   for (LandmarkMap& map : maps) {
     const bool known = std::ranges::any_of(kept, [&](const LandmarkMap& other) {
@@ -63,14 +63,6 @@ void keep_different(std::vector<LandmarkMap>& maps, const NodeDirections& target
     if (static_cast<int>(kept.size()) == count) break;
   }
   maps = std::move(kept);
-}
-
-/// The best, those that are nearly the same once.
-void select(std::vector<LandmarkMap>& maps, const NodeDirections& target, int count,
-            const HypothesisOptions& options) {
-  std::ranges::stable_sort(maps, {},
-                           [&](const LandmarkMap& map) { return score(map, options.growth); });
-  keep_different(maps, target, count, options);
 }
 
 Correspondence first_matches(const LandmarkMap& map) {
@@ -284,43 +276,12 @@ std::vector<Hypothesis> posed_hypotheses(const Proxy& source, const Proxy& targe
   return hypotheses;
 }
 
-std::vector<int> all_nodes(const NodeDirections& landmarks) {
-  std::vector<int> nodes;
-  for (int i = 0; i < landmarks.size(); ++i) nodes.push_back(landmarks.node(i));
-  return nodes;
-}
-
-/// Sets of landmarks that look alike and agree: where little overlaps, all others lead astray.
-std::vector<Hypothesis> alike_hypotheses(const Proxy& source, const Proxy& target, const Tips& tips,
-                                         const HypothesisOptions& options, const Context& context) {
-  const NodeDirections from = landmarks_of(source, tips.source, options.fine.source_landmarks);
-  const NodeDirections onto = landmarks_of(target, tips.target, options.fine.target_landmarks);
-  Growth growth(from, from.size(), onto, onto.size(), options.growth);
-  std::vector<LandmarkMap> maps;
-  for (const Correspondence& matches :
-       agreeing_clusters(from, local_shapes(source, all_nodes(from), options.local_shapes), onto,
-                         local_shapes(target, all_nodes(onto), options.local_shapes),
-                         options.local_shapes, context)) {
-    if (std::cmp_less(matches.size(), options.seeds.min_matches)) continue;
-    maps.push_back(growth.only(matches));
-    growth.measure(maps.back());
-  }
-  if (options.growth.orientation && source.oriented && target.oriented) drop_mirrored(maps);
-  keep_different(maps, onto, options.local_shapes.clusters, options);
-  std::vector<Hypothesis> hypotheses;
-  for (const LandmarkMap& map : maps) {
-    hypotheses.push_back(between_nodes(map, from, onto));
-    hypotheses.back().alike = true;
-  }
-  return hypotheses;
-}
-
 }  // namespace
 
 std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target,
                                         const HypothesisOptions& options, const Context& context) {
   // Of the time, how much what is done takes.
-  constexpr double kFirst = 0.5, kGrown = 0.8, kPosed = 0.9;
+  constexpr double kFirst = 0.5, kGrown = 0.8;
   Tips tips = sharp_tips(source, target, options);
   std::vector<Hypothesis> hypotheses =
       grown_hypotheses(source, target, tips, options.seeds, options, part_of(context, 0, kFirst));
@@ -334,12 +295,8 @@ std::vector<Hypothesis> find_hypotheses(const Proxy& source, const Proxy& target
         grown_hypotheses(source, target, tips, seeds, options, part_of(context, kFirst, kGrown)),
         std::back_inserter(hypotheses));
   }
-  std::ranges::move(
-      posed_hypotheses(source, target, sharp, options, part_of(context, kGrown, kPosed)),
-      std::back_inserter(hypotheses));
-  if (options.local_shapes.clusters > 0)
-    std::ranges::move(alike_hypotheses(source, target, sharp, options, part_of(context, kPosed, 1)),
-                      std::back_inserter(hypotheses));
+  std::ranges::move(posed_hypotheses(source, target, sharp, options, part_of(context, kGrown, 1)),
+                    std::back_inserter(hypotheses));
   return hypotheses;
 }
 

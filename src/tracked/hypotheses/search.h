@@ -21,8 +21,6 @@ struct Hypothesis {
   float orientation = 0;
   /// The motion that it stands for, if it is not a map along the surface.
   std::optional<Pose> pose = std::nullopt;
-  /// Whether it is a set of landmarks that look alike.
-  bool alike = false;
 };
 
 /// Candidates for the map between two shapes, the most plausible first. Reports progress.

@@ -51,17 +51,15 @@ bool same_origin(const Judged& a, const Judged& b) {
          a.hypothesis.pose.has_value() == b.hypothesis.pose.has_value();
 }
 
-/// The first hypotheses, of both kinds since their costs say little of one against the other, and
-/// motions of little energy, of parts all of little energy: distances along surfaces, by which the
-/// order is made as well, mean nothing where these are full of holes.
+/// The first hypotheses, and motions of little energy, of parts all of little energy: distances
+/// along surfaces, by which the order is made as well, mean nothing where these are full of holes.
 std::vector<Judged> entrants_of(const std::vector<Judged>& judged, const Options& options) {
   if (options.different_maps > 1) return judged;
-  std::vector<Judged> entrants, others;
-  int left = options.entrants, alike_left = options.hypotheses.local_shapes.entrants;
-  for (const Judged& j : judged)
-    ((j.hypothesis.alike ? alike_left : left)-- > 0 ? entrants : others).push_back(j);
+  const auto count = std::min(judged.size(), static_cast<std::size_t>(options.entrants));
+  std::vector<Judged> entrants(judged.begin(), judged.begin() + static_cast<std::ptrdiff_t>(count));
   const double limit =
       options.hypotheses.poses.max_energy * std::ranges::min(entrants, {}, &Judged::energy).energy;
+  std::vector<Judged> others(judged.begin() + static_cast<std::ptrdiff_t>(count), judged.end());
   std::erase_if(others, [&](const Judged& j) { return !j.hypothesis.pose || j.energy > limit; });
   std::ranges::stable_sort(others, {}, &Judged::energy);
   const auto followed =
