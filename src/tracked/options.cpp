@@ -22,7 +22,8 @@ bool must_be_positive(std::string_view name) {
         "_length",         "entrants",        "finalists",      "first_basis",
         "roots",           "contacts.valley", "neighbours",     "relief_scales.0",
         "relief_scales.1", "relief_scales.2", "landmark_reach", "tolerable",
-        "_points",         "_pair",           "_bin",           "close"})
+        "_points",         "_pair",           "_bin",           "close",
+        "stiffness",       "longest"})
     if (name.ends_with(ending)) return true;
   return false;
 }

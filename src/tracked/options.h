@@ -23,6 +23,8 @@ struct ProxyOptions {
   /// Those of the nodes from which distances are measured, all kept in memory: enough that one is
   /// within .03 of every point.
   int measured_nodes = 500;
+  /// Over which the curvature is averaged, least: half an edge of the proxy.
+  double curvature_length = 0.01;
 
   bool operator==(const ProxyOptions&) const = default;
 };
@@ -225,6 +227,15 @@ struct MendingOptions {
                                             .iterations = 3};
 };
 
+/// How images slide along the target until both surfaces curve alike, see `slid`.
+struct SlidingOptions {
+  int steps = 10;
+  /// Of the moves, against what the curvature tells: they are smooth over .06.
+  double stiffness = 10;
+  /// A step is at most as long as this, an edge of the proxy.
+  double longest = 0.02;
+};
+
 struct Options {
   PyramidOptions pyramid;
   HypothesisOptions hypotheses;
@@ -283,6 +294,7 @@ struct Options {
   int reverse_rounds = 3;
   /// Where both directions disagree by more than this, one has lost a limb, and the own one counts.
   double max_disagreement = 0.1;
+  SlidingOptions sliding;
   /// The registration half way between both.
   elastic::RegistrationOptions settling{.first_length = 0.003,
                                         .last_length = 0.003,

@@ -104,12 +104,14 @@ Proxy make_proxy(const Detail& detail, bool oriented, bool open, const ProxyOpti
               {},
               {},
               {},
+              {},
               std::move(graph),
               {},
               {}};
   for (int v : proxy.detail_vertex) proxy.features.push_back(detail.features[v]);
   proxy.faces = vertex_faces(proxy.mesh);
   proxy.normals = unit_normals(proxy.mesh);
+  proxy.second_forms = second_forms(proxy.mesh, options.curvature_length);
   proxy.nodes = spread_nodes(*proxy.graph, options.nodes);
   measure_distances(proxy, options.measured_nodes, context);
   proxy.to_boundary = distances_to_boundary(proxy, open);

@@ -12,6 +12,7 @@
 #include "isomatch/mesh/topology.h"
 #include "tracked/options.h"
 #include "tracked/shape/detail.h"
+#include "tracked/shape/second_form.h"
 
 namespace isomatch::tracked {
 
@@ -31,6 +32,8 @@ struct Proxy {
   std::vector<Point> normals;
   /// Of the vertices; places refer to the first nodes.
   std::vector<elastic::Features> features;
+  /// How it curves at the vertices.
+  std::vector<SecondForm> second_forms;
   /// Proxy vertex of each node.
   std::vector<int> nodes;
   std::shared_ptr<const GeodesicGraph> graph;
