@@ -19,8 +19,7 @@ import time
 
 import data_sets
 from common import (ROOT, ProgramFailed, add_common_arguments, add_data_argument, commit, evaluate,
-                    machine, mean, percentile, run, table_head, table_line, truth_options,
-                    write_page)
+                    machine, mean, percentile, run, table_head, table_line, write_page)
 
 PAGE = ROOT / "docs/results/tracked.md"
 GROSS = 10  # Mean error, x100 over sqrt(area), above which a map is wrong as a whole.
@@ -33,8 +32,10 @@ ABLATED_SETS = "faust5k,tosca5k"
 class Figures:
     """What was measured on one pair."""
 
-    def __init__(self, pair, seconds, report, evaluation):
+    def __init__(self, pair, seconds, report, evaluation, exact=None, perfect=None):
+        """`exact` is the error from the exact truth, `perfect` that of the exact map, if known."""
         self.pair, self.seconds, self.report = pair, seconds, report
+        self.exact, self.perfect = exact, perfect
         self.d_iso = evaluation["d_iso_over_max_geodesic"]
         self.orientation = evaluation["orientation"]["verdict"]
         self.flipped = evaluation.get("flipped", self.orientation == "reverses")
@@ -51,6 +52,7 @@ class Figures:
     @property
     def cells(self):
         errors = [f"{self.vertices:.2f}", f"{self.points:.2f}"] if self.has_truth else []
+        errors += [f"{self.exact:.2f}"] if self.exact is not None else []
         outcome = "flipped" if self.flipped else "wrong" if self.wrong else self.orientation
         return [self.pair.name, *errors, f"{self.d_iso['mean']:.4f}", outcome,
                 f"{self.report['ambiguity']:.2f}", f"{self.seconds:.2f}"]
@@ -75,12 +77,27 @@ class Results:
         self.failures = [outcome for outcome in outcomes if isinstance(outcome, Failure)]
         self.pairs = len(outcomes)
         self.has_truth = any(f.has_truth for f in self.figures)
+        self.exact = [f for f in self.figures if f.exact is not None]
 
     def median(self, figure):
         return percentile([figure(f) for f in self.figures], 0.5)
 
     def median_seconds(self):
         return f"{self.median(lambda f: f.seconds):.2f}"
+
+
+def exact_figures(program, pair, result, folder):
+    """The mean error of a map from the exact truth, and that of the exact truth from the usual one,
+    if the set has an exact truth."""
+    if not (pair.folder / "exact").is_dir():
+        return None, None
+    truth = folder / "truth.bary.txt"
+    names = [f"{pair.folder.name}/{name}" for name in (pair.source, pair.target)]
+    run([sys.executable, "-B", pair.folder.parent / "exact_truth.py", *names, truth])
+    found = evaluate(program, *pair.meshes, result, ["--gt-map", truth])["ground_truth_map"]
+    perfect = evaluate(program, *pair.meshes, truth, pair.truth)["ground_truth"]
+    return (100 * found["point_error_over_sqrt_area"]["mean"],
+            100 * perfect["error_over_sqrt_area"]["mean"])
 
 
 def match(program, pair, has_truth, options):
@@ -90,12 +107,13 @@ def match(program, pair, has_truth, options):
         seconds = time.perf_counter() - start
         out = pathlib.Path(out)
         report = json.loads((out / "report.json").read_text())
-        if has_truth:
-            evaluation = evaluate(program, *pair.meshes, out / "source_to_target.bary.txt",
-                                  truth_options(pair.folder, pair.source, pair.target))
-        else:
-            evaluation = evaluate(program, *pair.meshes, out / "correspondence.txt")
-    return Figures(pair, seconds, report, evaluation)
+        if not has_truth:
+            return Figures(pair, seconds, report,
+                           evaluate(program, *pair.meshes, out / "correspondence.txt"))
+        result = out / "source_to_target.bary.txt"
+        evaluation = evaluate(program, *pair.meshes, result, pair.truth)
+        return Figures(pair, seconds, report, evaluation,
+                       *exact_figures(program, pair, result, out))
 
 
 def threads(arguments):
@@ -118,7 +136,8 @@ def measure(arguments, title, pairs, has_truth, options=()):
 
 
 ACCURACY_COLUMNS = ["pairs", "mean", "median", "95 %", "points: mean", "median", "95 %",
-                    "worst pair", "flipped", "wrong", "failed", "seconds"]
+                    "worst pair", "exact truth: mean", "median", "worst pair", "perfect map",
+                    "flipped", "wrong", "failed", "seconds"]
 
 
 def accuracy_cells(results):
@@ -126,10 +145,19 @@ def accuracy_cells(results):
         return [f"{value:.2f}" for value in
                 (mean(errors), percentile(errors, 0.5), percentile(errors, 0.95))]
 
-    worst = max(results.figures, key=lambda f: f.points, default=None)
+    def worst(figures, error):
+        figure = max(figures, key=error, default=None)
+        return f"{figure.pair.name}: {error(figure):.2f}" if figure else ""
+
+    exact = ["", "", "", ""]
+    if results.exact:
+        exact = [f"{mean(f.exact for f in results.exact):.2f}",
+                 f"{percentile([f.exact for f in results.exact], 0.5):.2f}",
+                 worst(results.exact, lambda f: f.exact),
+                 f"{mean(f.perfect for f in results.exact):.2f}"]
     return [results.pairs, *distribution([f.vertices for f in results.figures]),
             *distribution([f.points for f in results.figures]),
-            f"{worst.pair.name}: {worst.points:.2f}" if worst else "",
+            worst(results.figures, lambda f: f.points), *exact,
             sum(f.flipped for f in results.figures), sum(f.wrong for f in results.figures),
             len(results.failures), results.median_seconds()]
 
@@ -170,6 +198,7 @@ def time_table(all_results):
 
 def pairs_section(title, results):
     errors = ["error", "points"] if results.has_truth else []
+    errors += ["exact"] if results.exact else []
     lines = ["", f"### {title}", ""]
     lines += table_head(["pair", *errors, "D_iso", "map", "ambiguity", "seconds"])
     lines += [table_line(f.cells) for f in results.figures]
@@ -185,7 +214,10 @@ threads. Pairs are drawn with seed 0 from all ordered pairs of a set, in tosca5k
 
 Errors are geodesic distances of a pair's map from the ground truth, x100 over sqrt(area) of the
 target, averaged over the pair; the table has their mean, median and 95th percentile over the pairs,
-first of the nearest vertices, then of the map to points on triangles. *Flipped* maps are nearer to
+first of the nearest vertices, then of the map to points on triangles. That truth of remeshed shapes
+is a vertex that is nearest on both sides; the *exact truth* is a point on a triangle (see the README
+of the data), from which the map's points are as far as it says, and the *perfect map* is what the
+exact truth itself scores by the usual one, as nearest vertices. *Flipped* maps are nearer to
 the left-right symmetric truth than to the true one; where none is known, they reverse orientation.
 *Wrong* maps are not flipped and have an error above {gross}. Means include both, but not pairs that
 *failed*. Seconds are the median wall time of the whole program, with reading and writing.

@@ -13,9 +13,9 @@ NearestPoint::NearestPoint(const std::vector<Point>& positions, const std::vecto
   tree_.emplace(points_);
 }
 
-int NearestPoint::operator()(const Point& position, const Point& normal,
-                             const Features& features) const {
-  return tree_->nearest(coordinates(position, normal, features));
+int NearestPoint::operator()(const Point& position, const Point& normal, const Features& features,
+                             int guess) const {
+  return tree_->nearest(coordinates(position, normal, features), guess);
 }
 
 NearestPoint::Coordinates NearestPoint::coordinates(const Point& position, const Point& normal,

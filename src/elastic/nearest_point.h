@@ -18,7 +18,9 @@ class NearestPoint {
   NearestPoint(const std::vector<Point>& positions, const std::vector<Point>& normals,
                const std::vector<Features>& features, const ProjectionWeights& weights);
 
-  int operator()(const Point& position, const Point& normal, const Features& features) const;
+  /// Found sooner if `guess` is near; it is none if it is negative.
+  int operator()(const Point& position, const Point& normal, const Features& features,
+                 int guess = -1) const;
 
  private:
   using Tree = KdTree<6 + kFeatures>;

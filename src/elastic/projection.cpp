@@ -19,9 +19,15 @@ Projection::Projection(const Mesh& mesh, const IndexLists& vertex_faces,
 
 Foot Projection::operator()(const Point& position, const Point& normal,
                             const Features& features) const {
+  return (*this)(position, normal, features, {});
+}
+
+Foot Projection::operator()(const Point& position, const Point& normal, const Features& features,
+                            const SurfacePoint& earlier) const {
+  const int guess = earlier.face == kNoFace ? kNoVertex : heaviest_corner(mesh_, earlier);
   Foot foot;
   foot.point = closest_point_around(mesh_, vertex_faces_,
-                                    nearest_vertex_(position, normal, features), position);
+                                    nearest_vertex_(position, normal, features, guess), position);
   foot.position = isomatch::position(mesh_, foot.point);
   const Face& face = mesh_.faces[foot.point.face];
   for (int k = 0; k < 3; ++k) foot.normal += foot.point.weights[k] * normals_[face[k]];

@@ -31,6 +31,9 @@ class Projection {
   /// The closest point on the faces around the vertex that is closest in position, normal and
   /// features.
   Foot operator()(const Point& position, const Point& normal, const Features& features) const;
+  /// The same, found sooner if it is near an earlier foot.
+  Foot operator()(const Point& position, const Point& normal, const Features& features,
+                  const SurfacePoint& earlier) const;
 
  private:
   const Mesh& mesh_;

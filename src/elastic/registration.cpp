@@ -57,7 +57,8 @@ class Registrar {
 
   void project() {
     for (int i = 0; i < deformation_.size(); ++i)
-      feet_[i] = surface_(deformation_.positions()[i], normal(i), cloud_.features[i]);
+      feet_[i] =
+          surface_(deformation_.positions()[i], normal(i), cloud_.features[i], feet_[i].point);
   }
 
   void advance(bool to_surface, double length) {

@@ -23,9 +23,14 @@ class KdTree {
       : points_(points), index_(Dimension, *this) {}
 
   /// Index of the nearest point; 0 if there is none, because `query` is not finite.
-  int nearest(const Coordinates& query) const {
+  int nearest(const Coordinates& query) const { return nearest(query, -1); }
+
+  /// The same, found sooner if point `guess` is near; any if it is negative.
+  int nearest(const Coordinates& query, int guess) const {
     std::array<int, 1> found{};
-    nearest(query, found);
+    NearestSet<1> set(found);
+    if (guess >= 0) set.addPoint((query - points_[guess]).squaredNorm(), guess);
+    index_.findNeighbors(set, query.data(), {});
     return found[0];
   }
 

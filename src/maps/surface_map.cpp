@@ -65,13 +65,15 @@ SurfaceMap corner_points(const Mesh& target, const VertexMap& source_to_target) 
   return points;
 }
 
+int heaviest_corner(const Mesh& mesh, const SurfacePoint& point) {
+  return mesh.faces[point.face][std::ranges::max_element(point.weights) - point.weights.begin()];
+}
+
 VertexMap nearest_vertices(const Mesh& mesh, const SurfaceMap& map) {
   VertexMap vertices;
   vertices.reserve(map.size());
-  for (const SurfacePoint& point : map) {
-    const auto corner = std::ranges::max_element(point.weights) - point.weights.begin();
-    vertices.push_back(point.face == kNoFace ? kUnmatched : mesh.faces[point.face][corner]);
-  }
+  for (const SurfacePoint& point : map)
+    vertices.push_back(point.face == kNoFace ? kUnmatched : heaviest_corner(mesh, point));
   return vertices;
 }
 

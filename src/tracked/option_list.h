@@ -159,6 +159,9 @@ void for_each_number(Options& options, const Visitor& visit) {
   for_each_number(options.hypotheses, "hypotheses", visit);
   for_each_number(options.partial, "partial", visit);
   visit("entrants", options.entrants);
+  visit("followed", options.followed);
+  visit("begun_tolerance", options.begun_tolerance);
+  visit("middle_tolerance", options.middle_tolerance);
   visit("finalists", options.finalists);
   visit("mirror_price", options.mirror_price);
   visit("landmark_slack", options.landmark_slack);

@@ -20,9 +20,9 @@ struct ProxyOptions {
   int vertices = 5000;
   /// Nodes of the finest level: time grows with them, error falls.
   int nodes = 1600;
-  /// Those of the nodes from which distances are measured, all kept in memory: enough that one is
-  /// within .03 of every point.
-  int measured_nodes = 500;
+  /// Those of the nodes from which distances are measured, all kept in memory: as many as there are
+  /// landmarks on a target, enough that one is within .035 of every point.
+  int measured_nodes = 400;
   /// Over which the curvature is averaged, least: half an edge of the proxy.
   double curvature_length = 0.01;
 
@@ -162,7 +162,7 @@ struct PoseOptions {
   /// Differences of lengths and angles (radians) that count as the same.
   double length_bin = 0.08, angle_bin = 0.35;
   /// Motions that are looked at for each point, of all that are improved, and that are kept.
-  int peaks = 5, improved = 150, kept = 16;
+  int peaks = 5, improved = 60, kept = 16;
   int iterations = 10;
   /// Motions that differ by less than this are the same.
   double same = 0.1;
@@ -245,9 +245,13 @@ struct Options {
   bool parts = false;
   /// Different maps that are wanted.
   int different_maps = 1;
-  /// Hypotheses that are followed on the middle level, all if several maps are wanted, and of these
-  /// on the fine level, at most, besides the first.
-  int entrants = 6, finalists = 2;
+  /// Hypotheses that are registered on the middle level (all if several maps are wanted), that are
+  /// followed there, and of these on the fine level, at most, besides the first: right ones come
+  /// late where limbs lie close together, but a registration tells.
+  int entrants = 28, followed = 6, finalists = 2;
+  /// None is followed that costs so many times as much as the best: right ones cost up to 2.9 times
+  /// as much after a registration, and least after that. Of parts all are, since costs tell less.
+  double begun_tolerance = 4, middle_tolerance = 1.5;
   /// Choose by how well the surfaces fit, or else by the order of the hypotheses.
   bool elastic_judging = true;
   /// What the cost of a mirror image is multiplied by: shapes that are nearly symmetric fit their
@@ -278,11 +282,14 @@ struct Options {
                                        .anchor_steps = 3,
                                        .surface_steps = 9,
                                        .iterations = 2};
-  elastic::RegistrationOptions first_registration{
-      .first_length = 0.3, .last_length = 0.05, .anchor_steps = 5, .surface_steps = 5};
+  elastic::RegistrationOptions first_registration{.first_length = 0.3,
+                                                  .last_length = 0.05,
+                                                  .anchor_steps = 5,
+                                                  .surface_steps = 5,
+                                                  .iterations = 2};
   /// Rounds of alternation: a spectral step with from `first_basis` to all eigenfunctions, and a
   /// registration with lengths from the first to the last of these.
-  int rounds = 12;
+  int rounds = 9;
   int first_basis = 6;
   elastic::RegistrationOptions alternation{.first_length = 0.05,
                                            .last_length = 0.01,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -119,7 +120,8 @@ PairView taken_for(const Views& views, const Surface& source, const Surface& tar
 
 Options for_parts(Options options) {
   options.parts = true;
-  options.entrants = options.partial.entrants;
+  options.entrants = options.followed = options.partial.entrants;
+  options.begun_tolerance = options.middle_tolerance = std::numeric_limits<double>::infinity();
   options.hypotheses.poses.price = options.partial.pose_price;
   options.hypotheses.growth.price = options.partial.landmark_price;
   options.hypotheses.growth.doubt = options.partial.doubt;

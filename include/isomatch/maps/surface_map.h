@@ -32,6 +32,9 @@ void check_map(const SurfaceMap& map, int from_vertices, int onto_faces);
 /// Likewise for one of so many vertices, or `kUnmatched`.
 void check_map(const VertexMap& map, int from_vertices, int onto_vertices);
 
+/// The vertex with the largest weight of a point that has a face, the first of equal ones.
+int heaviest_corner(const Mesh& mesh, const SurfacePoint& point);
+
 /// The vertex with the largest weight of each point (the first of equal ones), `kUnmatched` where
 /// there is none.
 VertexMap nearest_vertices(const Mesh& mesh, const SurfaceMap& map);

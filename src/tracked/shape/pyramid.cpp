@@ -81,10 +81,7 @@ std::shared_ptr<const Pyramid> pyramid_of(const PreparedShape& shape, const View
 
 std::vector<int> nearest_vertices(const Mesh& mesh, const std::vector<elastic::Foot>& feet) {
   std::vector<int> vertices;
-  for (const elastic::Foot& foot : feet) {
-    const auto& [face, weights] = foot.point;
-    vertices.push_back(mesh.faces[face][std::ranges::max_element(weights) - weights.begin()]);
-  }
+  for (const elastic::Foot& foot : feet) vertices.push_back(heaviest_corner(mesh, foot.point));
   return vertices;
 }
 

@@ -30,11 +30,11 @@ std::vector<Track> ranked(std::vector<Track> tracks, const Options& options) {
 
 constexpr const char* kRefinementStage = "refinement";
 
-/// `step` of each of the first so many, in parallel.
+/// `step` of each, in parallel.
 template <class Start, class Step>
-std::vector<Track> all_tracks(const std::vector<Start>& starts, int most, const Context& context,
+std::vector<Track> all_tracks(const std::vector<Start>& starts, const Context& context,
                               const Step& step) {
-  const int count = std::min(static_cast<int>(starts.size()), most);
+  const auto count = static_cast<int>(starts.size());
   Steps steps(context, kRefinementStage, 0, 1, count);
   std::vector<std::optional<Track>> made(count);
   parallel_for(count, context, [&](std::ptrdiff_t i) {
@@ -69,14 +69,16 @@ std::vector<Judged> entrants_of(const std::vector<Judged>& judged, const Options
   return entrants;
 }
 
-/// Those that fit best and, since a map may be torn for a while on the middle level, the one that
-/// fitted best before.
-std::vector<const Track*> finalists_of(const std::vector<Track>& middle, const Judged& first,
-                                       int most) {
+/// Those that fit best and, since a map may be torn for a while, the one that fitted best before;
+/// none that costs too many times as much as the best, unless so many different maps are wanted.
+std::vector<const Track*> finalists_of(const std::vector<Track>& tracks, const Judged& first,
+                                       int most, double tolerance, int wanted) {
   std::vector<const Track*> finalists;
-  for (std::size_t k = 0; k < middle.size(); ++k)
-    if (std::cmp_less(k, most) || same_origin(middle[k].judged, first))
-      finalists.push_back(&middle[k]);
+  for (std::size_t k = 0; k < tracks.size(); ++k) {
+    const bool good = std::cmp_less(k, most) || same_origin(tracks[k].judged, first);
+    if ((good && tracks[k].cost() <= tolerance * tracks.front().cost()) || std::cmp_less(k, wanted))
+      finalists.push_back(&tracks[k]);
+  }
   return finalists;
 }
 
@@ -95,26 +97,29 @@ double ambiguity(const Track& winner, const std::vector<Track>& tracks) {
 
 Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, const Options& options,
                   const Context& context) {
-  // Where of the whole the tracks are through the middle and through the fine level.
-  constexpr double kMiddle = 0.4, kFine = 0.8;
+  // Where of the whole the tracks are registered, through the middle and through the fine level.
+  constexpr double kBegun = 0.2, kMiddle = 0.4, kFine = 0.8;
   const Refinement refinement(target, options, context);
-  const int finalists = std::max(options.finalists, options.different_maps);
-  const std::vector<Judged> entrants = entrants_of(judged, options);
-  context.check_stop();
+  const auto step_of_all = [&](const auto& starts, double begin, double end, const auto& step) {
+    context.check_stop();
+    return ranked(all_tracks(starts, part_of(context, begin, end), step), options);
+  };
+  const auto best = [&](const std::vector<Track>& tracks, int most, double tolerance) {
+    return finalists_of(tracks, judged.front(), most, tolerance, options.different_maps);
+  };
+  const std::vector<Track> begun =
+      step_of_all(entrants_of(judged, options), 0, kBegun,
+                  [&](const Judged& j) { return refinement.begin(j); });
   const std::vector<Track> middle =
-      ranked(all_tracks(entrants, static_cast<int>(entrants.size()), part_of(context, 0, kMiddle),
-                        [&](const Judged& j) { return refinement.begin(j); }),
-             options);
-  context.check_stop();
+      step_of_all(best(begun, options.followed, options.begun_tolerance), kBegun, kMiddle,
+                  [&](const Track* track) { return refinement.follow(*track); });
   Finals finals;
   finals.middle_cost = middle.front().cost();
-  const std::vector<const Track*> last = finalists_of(middle, judged.front(), finalists);
-  finals.tracks =
-      ranked(all_tracks(last, static_cast<int>(last.size()), part_of(context, kMiddle, kFine),
-                        [&](const Track* track) { return refinement.finish(*track); }),
-             options);
-  finals.ambiguity =
-      ambiguity(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks : middle);
+  finals.tracks = step_of_all(best(middle, options.finalists, options.middle_tolerance), kMiddle,
+                              kFine, [&](const Track* track) { return refinement.finish(*track); });
+  finals.ambiguity = ambiguity(finals.tracks.front(), finals.tracks.size() > 1 ? finals.tracks
+                                                      : middle.size() > 1      ? middle
+                                                                               : begun);
   if (std::cmp_greater(finals.tracks.size(), options.different_maps))
     finals.tracks.erase(finals.tracks.begin() + options.different_maps, finals.tracks.end());
   context.check_stop();
@@ -136,9 +141,12 @@ SurfaceMatches contradicted_landmarks(const Pyramid& target,
   const SurfaceMatches landmarks = std::exchange(options.landmarks, {});
   const Refinement refinement(target, options, silent);
   std::optional<Correspondence> fewest;
-  for (const Track& track :
-       all_tracks(contradicting, options.entrants, silent,
-                  [&](const Judged& judged) { return refinement.begin(judged); })) {
+  std::vector<Judged> first = contradicting;
+  first.resize(std::min(first.size(), static_cast<std::size_t>(options.followed)));
+  const auto follow = [&](const Judged& judged) {
+    return refinement.follow(refinement.begin(judged));
+  };
+  for (const Track& track : all_tracks(first, silent, follow)) {
     if (options.contradiction * track.cost() > middle_cost) continue;
     Correspondence contradicted;
     for (const Match& landmark : *landmarks)

@@ -72,8 +72,13 @@ Refinement::Refinement(const Pyramid& target, const Options& options, const Cont
       posed_surface_(projection_onto(target.proxy, options.posed_projection)) {}
 
 Track Refinement::begin(const Judged& judged) const {
-  const Level& middle = judged.source->middle;
-  Track track = registered(judged, middle, target_.middle);
+  Track track = registered(judged, judged.source->middle, target_.middle);
+  weigh_left_out(track);
+  return track;
+}
+
+Track Refinement::follow(Track track) const {
+  const Level& middle = track.judged.source->middle;
   for (int round = 0; round < options_.middle_rounds(); ++round) {
     track.vertices = spectral_step(track, middle, round);
     run_round(track, round);

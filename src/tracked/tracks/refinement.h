@@ -49,8 +49,10 @@ class Refinement {
   /// Keeps references to the first two. What it does throws `Cancelled` soon after a stop.
   Refinement(const Pyramid& target, const Options& options, const Context& context = {});
 
-  /// The hypothesis after the rounds on the middle level, mended if it fits better then.
+  /// The hypothesis after a first registration, on the middle level.
   Track begin(const Judged& judged) const;
+  /// The track after the rounds on the middle level, mended if it fits better then.
+  Track follow(Track track) const;
   /// The track after the remaining rounds, on the fine level.
   Track finish(const Track& middle) const;
   /// The last rounds of a track on the fine level, `first` and later ones, that begins at

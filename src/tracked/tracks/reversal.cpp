@@ -39,7 +39,8 @@ SurfaceMap images(const Track& track, const Proxy& onto, const elastic::Projecti
   for (int v = 0; v < proxy.num_vertices(); ++v)
     images.push_back(
         surface(deformed.positions[v], deformed.normals[v], deformed.features[v]).point);
-  if (!proxy.oriented || !onto.oriented) return images;
+  // What hardly bends lies where it is closest, and may be too full of holes to curve.
+  if (track.judged.hypothesis.pose || !proxy.oriented || !onto.oriented) return images;
   std::vector<bool> inside;
   for (int v = 0; !track.cloud.inside.empty() && v < proxy.num_vertices(); ++v)
     inside.push_back(track.cloud.inside[track.source->graph.cell[v]]);

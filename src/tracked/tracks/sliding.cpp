@@ -5,9 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <complex>
-#include <utility>
 
 #include "geometry/closest_point.h"
 #include "geometry/cotangent_laplacian.h"
@@ -29,6 +28,11 @@ struct Frame {
   Tangent coordinates(const Point& p) const { return {first.dot(p), second.dot(p)}; }
 };
 
+/// Of unit length, whatever happens where faces have no area.
+Point direction_of(const Point& normal) {
+  return normal.isZero() ? Point::UnitZ() : normal.stableNormalized();
+}
+
 Frame frame_at(const Point& normal) {
   const Point first = normal.unitOrthogonal();
   return {first, normal.cross(first)};
@@ -46,13 +50,14 @@ struct Link {
   Matrix2 turn;
 };
 
-/// Values of the forms of both surfaces at one vertex, as vectors whose squared length counts.
+/// What forms differ by at one vertex.
 struct Difference {
   Eigen::Vector3d value;
   /// By the coordinates of the tangent vector that the image moves along.
   Eigen::Matrix<double, 3, 2> slope;
 };
 
+/// Such that the square of their length counts the mean curvature and its deviator.
 Eigen::Vector3d components(const PlaneForm& form) {
   return {(form.first + form.second) / 2, (form.first - form.second) / 2, form.mixed};
 }
@@ -72,7 +77,10 @@ class Sliding {
         inside_(inside),
         options_(options),
         areas_(vertex_areas(source.mesh)) {
-    for (const Point& normal : source.normals) frames_.push_back(frame_at(normal));
+    for (const Point& normal : source.normals) {
+      normals_.push_back(direction_of(normal));
+      frames_.push_back(frame_at(normals_.back()));
+    }
     link();
     measure_forms();
   }
@@ -103,8 +111,7 @@ class Sliding {
 
   /// Tangent vectors of one vertex at another, by the shortest rotation between the normals.
   Matrix2 transport(int from, int to) const {
-    const auto rotation =
-        Eigen::Quaterniond::FromTwoVectors(source_.normals[from], source_.normals[to]);
+    const auto rotation = Eigen::Quaterniond::FromTwoVectors(normals_[from], normals_[to]);
     Matrix2 turn;
     turn.col(0) = frames_[to].coordinates(rotation * frames_[from].first);
     turn.col(1) = frames_[to].coordinates(rotation * frames_[from].second);
@@ -165,14 +172,14 @@ class Sliding {
     Point normal(0, 0, 0);
     for (int k = 0; k < 3; ++k)
       normal += image.weights[k] * target_.normals[target_.mesh.faces[image.face][k]];
-    return normal.stableNormalized();
+    return direction_of(normal);
   }
 
   Pull pull(int v, const SurfacePoint& image, const Frame& frame) const {
     Pull result;
     if (!inside_.empty() && !inside_[v]) return result;
     const Face& face = target_.mesh.faces[image.face];
-    std::array<Point, 3> gradients = hat_gradients(target_.mesh, face);
+    const std::array<Point, 3> gradients = hat_gradients(target_.mesh, face);
     const double area = area_vector(target_.mesh, face).norm() / 2;
     if (area <= 0) return result;
     for (int k = 0; k < kSecondFormScales; ++k) {
@@ -198,37 +205,24 @@ class Sliding {
   std::vector<Tangent> smooth_moves(const std::vector<Pull>& pulls) const {
     constexpr int kMost = 60;
     constexpr double kTolerance = 1e-3;
-    const std::size_t n = pulls.size();
-    std::vector<Matrix2> inverse;
-    for (std::size_t v = 0; v < n; ++v) {
-      double weight = 0;
-      for (const Link& link : links_[v]) weight += link.weight;
-      inverse.push_back(
-          (pulls[v].stiffness + options_.stiffness * weight * Matrix2::Identity()).inverse());
-    }
-    std::vector<Tangent> moves(n, Tangent::Zero()), residual(n), direction(n), image(n);
-    double old = 0, first = 0;
-    for (std::size_t v = 0; v < n; ++v) residual[v] = pulls[v].force;
+    const std::vector<Matrix2> inverse = inverse_diagonal(pulls);
+    std::vector<Tangent> moves(pulls.size(), Tangent::Zero()), direction = moves, residual;
+    for (const Pull& pull : pulls) residual.push_back(pull.force);
+    double first = 0, old = 0;
     for (int iteration = 0; iteration < kMost; ++iteration) {
       double product = 0;
-      for (std::size_t v = 0; v < n; ++v) product += residual[v].dot(inverse[v] * residual[v]);
+      for (std::size_t v = 0; v < moves.size(); ++v)
+        product += residual[v].dot(inverse[v] * residual[v]);
       if (iteration == 0) first = product;
       if (product <= kTolerance * kTolerance * first) break;
       const double share = iteration == 0 ? 0 : product / old;
       old = product;
-      for (std::size_t v = 0; v < n; ++v)
-        direction[v] = inverse[v] * residual[v] +
-                       (iteration == 0 ? Tangent::Zero() : Tangent(share * direction[v]));
+      for (std::size_t v = 0; v < moves.size(); ++v)
+        direction[v] = inverse[v] * residual[v] + share * direction[v];
+      const std::vector<Tangent> image = resistance(pulls, direction);
       double curvature = 0;
-      for (std::size_t v = 0; v < n; ++v) {
-        Tangent sum = pulls[v].stiffness * direction[v];
-        for (const Link& link : links_[v])
-          sum += options_.stiffness * link.weight * (direction[v] - link.turn * direction[link.to]);
-        image[v] = sum;
-        curvature += sum.dot(direction[v]);
-      }
-      if (curvature <= 0) break;
-      for (std::size_t v = 0; v < n; ++v) {
+      for (std::size_t v = 0; v < moves.size(); ++v) curvature += image[v].dot(direction[v]);
+      for (std::size_t v = 0; v < moves.size(); ++v) {
         moves[v] += product / curvature * direction[v];
         residual[v] -= product / curvature * image[v];
       }
@@ -236,14 +230,37 @@ class Sliding {
     return moves;
   }
 
+  /// Of the system that is solved, the inverse of what each vertex has to do with itself.
+  std::vector<Matrix2> inverse_diagonal(const std::vector<Pull>& pulls) const {
+    std::vector<Matrix2> inverse;
+    for (std::size_t v = 0; v < pulls.size(); ++v) {
+      double weight = 0;
+      for (const Link& link : links_[v]) weight += link.weight;
+      inverse.push_back(
+          (pulls[v].stiffness + options_.stiffness * weight * Matrix2::Identity()).inverse());
+    }
+    return inverse;
+  }
+
+  /// What pulls and links do against moves.
+  std::vector<Tangent> resistance(const std::vector<Pull>& pulls,
+                                  const std::vector<Tangent>& moves) const {
+    std::vector<Tangent> forces;
+    for (std::size_t v = 0; v < moves.size(); ++v) {
+      forces.push_back(pulls[v].stiffness * moves[v]);
+      for (const Link& link : links_[v])
+        forces.back() += options_.stiffness * link.weight * (moves[v] - link.turn * moves[link.to]);
+    }
+    return forces;
+  }
+
   void move(SurfacePoint& image, const Frame& frame, const Tangent& move) const {
     const double length = move.norm();
     if (length == 0) return;
     const Point p =
         position(target_.mesh, image) + frame(move * std::min(1.0, options_.longest / length));
-    const auto heaviest = std::ranges::max_element(image.weights) - image.weights.begin();
     const int vertex =
-        walk_to_vertex(target_.mesh, target_.faces, target_.mesh.faces[image.face][heaviest], p);
+        walk_to_vertex(target_.mesh, target_.faces, heaviest_corner(target_.mesh, image), p);
     image = closest_point_around(target_.mesh, target_.faces, vertex, p);
   }
 
@@ -252,6 +269,7 @@ class Sliding {
   const std::vector<bool>& inside_;
   const SlidingOptions& options_;
   std::vector<double> areas_;
+  std::vector<Point> normals_;
   std::vector<Frame> frames_;
   std::vector<std::vector<Link>> links_;
   std::vector<Eigen::Vector3d> forms_;
