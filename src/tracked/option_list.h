@@ -113,6 +113,9 @@ void for_each_number(PartialOptions& p, const std::string& at, const Visitor& vi
   visit(at + ".same_boundary", p.same_boundary);
   visit(at + ".doubt", p.doubt);
   visit(at + ".entrants", p.entrants);
+  visit(at + ".rounds", p.rounds);
+  visit(at + ".first_iterations", p.first_iterations);
+  visit(at + ".improved_poses", p.improved_poses);
   visit(at + ".landmark_price", p.landmark_price);
   visit(at + ".energy_price", p.energy_price);
   visit(at + ".distance_price", p.distance_price);

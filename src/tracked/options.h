@@ -80,6 +80,9 @@ struct PartialOptions {
   /// Hypotheses that are followed on the middle level: more than of whole shapes, since distances
   /// tell less.
   int entrants = 16;
+  /// Rounds, iterations of the first registration, and motions that are improved, more of them for
+  /// the same reason.
+  int rounds = 12, first_iterations = 4, improved_poses = 150;
   /// What it costs to leave out a landmark: as much distortion.
   float landmark_price = 0.06F;
   /// What it costs to leave out area, as elastic energy and as distance of the surfaces, where it
@@ -289,7 +292,7 @@ struct Options {
                                                   .iterations = 2};
   /// Rounds of alternation: a spectral step with from `first_basis` to all eigenfunctions, and a
   /// registration with lengths from the first to the last of these.
-  int rounds = 9;
+  int rounds = 10;
   int first_basis = 6;
   elastic::RegistrationOptions alternation{.first_length = 0.05,
                                            .last_length = 0.01,
@@ -309,9 +312,9 @@ struct Options {
                                         .surface_steps = 0,
                                         .iterations = 3};
 
-  /// Those of the rounds that run on the middle level, a third: limbs find their places there in a
-  /// quarter of the time.
-  int middle_rounds() const { return rounds / 3; }
+  /// Those of the rounds that run on the middle level: limbs find their places there in a quarter
+  /// of the time.
+  int middle_rounds() const { return 2 * rounds / 5; }
 
   /// Throws `InvalidInput` if a number is out of range.
   void validate() const;

@@ -121,8 +121,11 @@ PairView taken_for(const Views& views, const Surface& source, const Surface& tar
 Options for_parts(Options options) {
   options.parts = true;
   options.entrants = options.followed = options.partial.entrants;
+  options.first_registration.iterations = options.partial.first_iterations;
+  if (options.rounds > 0) options.rounds = options.partial.rounds;
   options.begun_tolerance = options.middle_tolerance = std::numeric_limits<double>::infinity();
   options.hypotheses.poses.price = options.partial.pose_price;
+  options.hypotheses.poses.improved = options.partial.improved_poses;
   options.hypotheses.growth.price = options.partial.landmark_price;
   options.hypotheses.growth.doubt = options.partial.doubt;
   return options;
