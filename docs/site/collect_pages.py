@@ -122,6 +122,8 @@ def main(program, folder):
         write(folder, f"headers/{header.stem}.md", header_page(header))
     write(folder, "commands.md", commands_page(program))
     shutil.copytree(DOCS / "pictures", folder / "pictures")
+    for plot in DOCS.glob("results/*.svg"):
+        shutil.copy(plot, folder / "results")
 
 
 main(*sys.argv[1:])
