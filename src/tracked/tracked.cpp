@@ -120,7 +120,8 @@ PairView taken_for(const Views& views, const Surface& source, const Surface& tar
 
 Options for_parts(Options options) {
   options.parts = true;
-  options.entrants = options.followed = options.partial.entrants;
+  options.entrants = options.partial.entrants;
+  options.followed = options.entrants + options.hypotheses.poses.followed;
   options.first_registration.iterations = options.partial.first_iterations;
   if (options.rounds > 0) options.rounds = options.partial.rounds;
   options.begun_tolerance = options.middle_tolerance = std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace isomatch::tracked {
 std::vector<int> densify(const Proxy& source, const Proxy& target, const Hypothesis& hypothesis,
                          int count) {
   const Agreement agreement(source, target, hypothesis.source_nodes, hypothesis.target_nodes,
-                            std::min(target.num_nodes(), count));
+                            target.num_nodes());
   const std::vector<float> alike(hypothesis.target_nodes.size(), 1.0F);
   std::vector<int> map(count);
   for (int i = 0; i < count; ++i) {

@@ -9,8 +9,8 @@
 
 namespace isomatch::tracked {
 
-/// Extends a hypothesis to the first `count` nodes of the source: to each that of the first `count`
-/// nodes of the target that agrees best with the landmarks. O(count^2 * landmarks).
+/// Extends a hypothesis to the first `count` nodes of the source: to each the target node that
+/// agrees best with the landmarks. Returns target nodes. O(count * landmarks * nodes).
 std::vector<int> densify(const Proxy& source, const Proxy& target, const Hypothesis& hypothesis,
                          int count);
 

@@ -197,7 +197,8 @@ TEST(Extremities, AreLocalMaximaSpreadApart) {
   SeedOptions options;
   for (const int seed : {1, 2, 3}) {
     const auto& mesh = synthesize({.vertices = 1500, .pose = 1, .seed = std::uint64_t(seed)}).mesh;
-    const Proxy proxy = test::Prepared(mesh, {.vertices = 1500, .nodes = 500}).proxy;
+    const Proxy proxy =
+        test::Prepared(mesh, {.vertices = 1500, .nodes = 500, .measured_nodes = 500}).proxy;
     const std::vector<double> integral = integrals(proxy);
     const std::vector<int> tips = extremities(proxy, options);
     EXPECT_GE(tips.size(), 4);  // Creatures have at least as many limbs.
