@@ -3,12 +3,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "elastic/rows.h"
 #include "isomatch/mesh/mesh.h"
 #include "isomatch/mesh/topology.h"
 
@@ -53,13 +53,17 @@ class Deformation {
   std::vector<double> energies() const;
 
  private:
-  Eigen::MatrixX3d right_side(std::span<const Goal> goals, double stiffness) const;
+  Rows right_side(std::span<const Goal> goals, double stiffness) const;
+  Rows gradient(std::span<const Goal> goals, double stiffness, const Rows& x) const;
+  void precondition(std::span<const Goal> goals, double stiffness);
 
   std::vector<Point> rest_, positions_;
   std::vector<Eigen::Quaterniond> rotations_;
   IndexLists neighbours_;
   Eigen::SparseMatrix<double> system_;
-  std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> solver_;
+  std::unique_ptr<Factors> solver_;
+  /// What the factors are for; nothing yet.
+  double factorised_stiffness_ = 0, factorised_pull_ = 1;
 };
 
 }  // namespace isomatch::elastic

@@ -37,11 +37,11 @@ SurfaceMap true_points(const Surface& source, const Surface& target, const TrueM
 }
 
 /// Where a map leads, as points on the target's surface, by vertices of the source's.
-class Images {
+class MapImages {
  public:
-  Images(const Surface& source, const Surface& target, const Correspondence& matches)
+  MapImages(const Surface& source, const Surface& target, const Correspondence& matches)
       : target_(target), matches_(*on_surfaces(source, target, matches)) {}
-  Images(const Surface& source, const Surface& target, const SurfaceMap& map)
+  MapImages(const Surface& source, const Surface& target, const SurfaceMap& map)
       : target_(target), points_(*on_surfaces(source, target, map)) {}
 
   bool has(int vertex) const {
@@ -86,7 +86,7 @@ OverlapQuality quality(const Shape& source_shape, const Shape& target_shape, con
   const Surface& source = *source_shape.prepared().surface();
   const Surface& target = *target_shape.prepared().surface();
   const SurfaceMap true_places = true_points(source, target, truth);
-  const Images images(source, target, map);
+  const MapImages images(source, target, map);
   Counter counter;
   for (int v = 0; v < source.num_vertices(); ++v)
     counter.add(images.has(v), true_places[v].face != kNoFace, source.vertex_areas[v]);
@@ -99,7 +99,7 @@ OverlapQuality quality(const Shape& source_shape, const Shape& target_shape,
   check_truth(truth);
   const Surface& source = *source_shape.prepared().surface();
   const Surface& target = *target_shape.prepared().surface();
-  const Images images(source, target, map);
+  const MapImages images(source, target, map);
   Counter counter;
   for (int i = 0; i < truth.size(); ++i) {
     const int s = surface_place(source, truth.source[i]);
@@ -115,7 +115,7 @@ struct OverlapPairs {
   std::vector<int> vertices;
 };
 
-OverlapPairs overlap_pairs(const SurfaceMap& true_places, const Images& images) {
+OverlapPairs overlap_pairs(const SurfaceMap& true_places, const MapImages& images) {
   OverlapPairs result;
   for (int v = 0; v < std::ssize(true_places); ++v) {
     if (true_places[v].face == kNoFace) continue;
@@ -130,7 +130,7 @@ OverlapPairs overlap_pairs(const SurfaceMap& true_places, const Images& images) 
 template <class Map>
 OverlapPairs overlap_pairs(const Surface& source, const Surface& target, const TrueMap& truth,
                            const Map& map) {
-  return overlap_pairs(true_points(source, target, truth), Images(source, target, map));
+  return overlap_pairs(true_points(source, target, truth), MapImages(source, target, map));
 }
 
 template <class Map>

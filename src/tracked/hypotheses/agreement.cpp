@@ -4,12 +4,20 @@
 
 #include <cmath>
 
+#include "wide_vectors.h"
+
 namespace isomatch::tracked {
 namespace {
 
 constexpr float kClosenessOffset = 0.1F;
 
 float closeness(float distance) { return 1 / (distance + kClosenessOffset); }
+
+/// Adds to each of `costs` weight times the deviation of a value from what is expected.
+ISOMATCH_WIDE_VECTORS void add_deviations(const float* values, std::size_t count, float expected,
+                                          float weight, float* costs) {
+  for (std::size_t t = 0; t < count; ++t) costs[t] += weight * std::abs(expected - values[t]);
+}
 
 }  // namespace
 
@@ -25,9 +33,7 @@ std::vector<float> Agreement::costs(int node, std::span<const float> weights) co
   std::vector<float> costs(near_.cols(), 0.0F);
   for (std::size_t j = 0; j < source_nodes_.size(); ++j) {
     const float expected = closeness(source_.node_distance(source_nodes_[j], node));
-    const float* values = near_.row(j).data();
-    for (std::size_t t = 0; t < costs.size(); ++t)
-      costs[t] += weights[j] * std::abs(expected - values[t]);
+    add_deviations(near_.row(j).data(), costs.size(), expected, weights[j], costs.data());
   }
   return costs;
 }

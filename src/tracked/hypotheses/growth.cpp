@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "wide_vectors.h"
+
 namespace isomatch::tracked {
 namespace {
 
@@ -14,6 +16,12 @@ namespace {
 inline float doubted(float least_a, float most_a, float least_b, float most_b, float doubt) {
   const float sure = std::max({0.0F, least_b - most_a, least_a - most_b});
   return sure + doubt * (std::abs(most_a - most_b) - sure);
+}
+
+/// Adds to each of `costs` what two distances differ by.
+ISOMATCH_WIDE_VECTORS void add_differences(const float* distances, std::size_t count,
+                                           float expected, float* costs) {
+  for (std::size_t t = 0; t < count; ++t) costs[t] += std::abs(expected - distances[t]);
 }
 
 }  // namespace
@@ -50,7 +58,7 @@ void Growth::accumulate(int source, const std::vector<int>& map) {
       for (std::size_t t = 0; t < cost_.size(); ++t)
         cost_[t] += doubted(least, most, least_distances[t], distances[t], options_.doubt);
     } else {
-      for (std::size_t t = 0; t < cost_.size(); ++t) cost_[t] += std::abs(most - distances[t]);
+      add_differences(distances, cost_.size(), most, cost_.data());
     }
     ++count;
   }
@@ -84,7 +92,8 @@ float Growth::orientation(int source, int target, const std::vector<int>& map) c
     reflection += a * b;
   }
   const auto count = static_cast<float>(std::max<std::size_t>(1, near_.size()));
-  return (std::abs(rotation) - std::abs(reflection)) / count;
+  // Not `std::abs`, whose care for overflow takes most of the time of all this.
+  return (std::sqrt(std::norm(rotation)) - std::sqrt(std::norm(reflection))) / count;
 }
 
 int Growth::best_target(int source, const std::vector<int>& map) {

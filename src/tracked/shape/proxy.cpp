@@ -7,9 +7,10 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "geometry/simplify.h"
-#include "parallel.h"
 #include "shape/boundary.h"
 #include "shape/surface.h"
 
@@ -40,13 +41,11 @@ void hold_to_reached(FloatMatrix& distances) {
 }
 
 void measure_distances(Proxy& proxy, int most, const Context& context) {
-  const std::size_t n = proxy.mesh.vertices.size();
-  proxy.distances.resize(std::min(proxy.num_nodes(), most), static_cast<Eigen::Index>(n));
-  parallel_for(
-      proxy.num_measured(), context, [&] { return GeodesicSearch(*proxy.graph); },
-      [&](GeodesicSearch& search, std::ptrdiff_t i) {
-        search.field(proxy.nodes[i], {proxy.distances.row(i).data(), n});
-      });
+  const std::span<const int> measured =
+      std::span(proxy.nodes).first(std::min(proxy.num_nodes(), most));
+  const std::vector<float> fields = geodesic_fields(*proxy.graph, measured, context);
+  proxy.distances = Eigen::Map<const FloatMatrix>(fields.data(), std::ssize(measured),
+                                                  std::ssize(proxy.mesh.vertices));
   hold_to_reached(proxy.distances);
 }
 
