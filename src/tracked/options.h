@@ -239,10 +239,10 @@ struct TurningOptions {
   double twisted = 0.06, held = 0.03;
   /// An end is worth turning if its cost, registered alone, is at most so many times what it was:
   /// the limb behind it adapts only when all is registered again. Right ends cost 1.4 times as much
-  /// and more.
-  double tolerable = 1.25;
-  /// Of the cost of the whole, at most, remains where a turn is right.
-  double max_remaining = 0.98;
+  /// and more. It must have moved by so much of half a turn: thin ends slide back.
+  double tolerable = 1.25, least_turned = 0.5;
+  /// Of the cost and of the energy of the whole, at most, remains where a turn is right.
+  double max_remaining = 0.98, max_energy = 0.99;
   elastic::RegistrationOptions registration{.first_length = 0.03,
                                             .last_length = 0.01,
                                             .anchor_steps = 1,

@@ -23,7 +23,7 @@ struct End {
   Point centre{0, 0, 0}, axis{0, 0, 0};
 };
 
-/// An end as registered alone.
+/// An end as registered alone, and where its nodes are then.
 struct Fit {
   double cost = 0;
   std::vector<int> vertices;
@@ -131,6 +131,20 @@ Fit fit(const Track& track, const End& end, double angle, const Proxy& target,
           nearest_vertices(target.mesh, registration.feet)};
 }
 
+/// How far the end is from where the track has it, against what half a turn would move it by:
+/// little where a thin end has slid back.
+double part_of_half_turn(const Track& track, const End& end, const std::vector<int>& vertices,
+                         const Proxy& target) {
+  double moved = 0, turned = 0;
+  for (std::size_t k = 0; k < end.nodes.size(); ++k) {
+    if (end.share[k] < 1) continue;
+    const Point& position = track.deformation.positions()[end.nodes[k]];
+    moved += (target.mesh.vertices[vertices[k]] - position).norm();
+    turned += 2 * (position - end.centre).cross(end.axis).norm();
+  }
+  return moved / turned;
+}
+
 }  // namespace
 
 std::vector<int> with_an_end_turned(const Track& track, const Proxy& target,
@@ -144,7 +158,9 @@ std::vector<int> with_an_end_turned(const Track& track, const Proxy& target,
     // Both ways round: the limb may be twisted already.
     for (const double angle : {std::numbers::pi, -std::numbers::pi}) {
       const Fit turned = fit(track, end, angle, target, surface, turning);
-      if (turned.cost >= least * before) continue;
+      if (turned.cost >= least * before ||
+          part_of_half_turn(track, end, turned.vertices, target) < turning.least_turned)
+        continue;
       least = turned.cost / before;
       vertices = track.vertices;
       for (std::size_t k = 0; k < end.nodes.size(); ++k)
