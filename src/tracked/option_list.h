@@ -165,7 +165,6 @@ void for_each_number(TurningOptions& t, const std::string& at, const Visitor& vi
   visit(at + ".tolerable", t.tolerable);
   visit(at + ".least_turned", t.least_turned);
   visit(at + ".max_remaining", t.max_remaining);
-  visit(at + ".max_energy", t.max_energy);
   for_each_number(t.registration, at + ".registration", visit);
 }
 

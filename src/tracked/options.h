@@ -241,8 +241,8 @@ struct TurningOptions {
   /// the limb behind it adapts only when all is registered again. Right ends cost 1.4 times as much
   /// and more. It must have moved by so much of half a turn: thin ends slide back.
   double tolerable = 1.25, least_turned = 0.5;
-  /// Of the cost and of the energy of the whole, at most, remains where a turn is right.
-  double max_remaining = 0.98, max_energy = 0.99;
+  /// Of the energy and of the cost over it, at most, remains of the whole where a turn is right.
+  double max_remaining = 0.99;
   elastic::RegistrationOptions registration{.first_length = 0.03,
                                             .last_length = 0.01,
                                             .anchor_steps = 1,

@@ -53,6 +53,7 @@ double reach_of_end(const Track& track, int tip, const TurningOptions& options) 
   return (static_cast<double>(narrowest) + 0.5) * options.ring;
 }
 
+/// Empty if there are too few nodes.
 End end_at(const Track& track, int tip, const TurningOptions& options) {
   const Proxy& proxy = track.judged.source->proxy;
   const double reach = reach_of_end(track, tip, options);
@@ -75,6 +76,7 @@ End end_at(const Track& track, int tip, const TurningOptions& options) {
       joint_area += area;
     }
   }
+  if (end_area == 0 || joint_area == 0) return {};
   end.centre /= end_area;
   end.axis = (end.centre - joint / joint_area).stableNormalized();
   return end;
@@ -154,6 +156,7 @@ std::vector<int> with_an_end_turned(const Track& track, const Proxy& target,
   std::vector<int> vertices;
   for (const int tip : extremities(track.judged.source->proxy, options.hypotheses.seeds)) {
     const End end = end_at(track, tip, turning);
+    if (end.nodes.empty()) continue;
     const double before = fit(track, end, 0, target, surface, turning).cost;
     // Both ways round: the limb may be twisted already.
     for (const double angle : {std::numbers::pi, -std::numbers::pi}) {

@@ -176,10 +176,9 @@ void Refinement::turn_an_end(Track& track) const {
   Track turned = fine_rounds(track.judged, std::move(vertices), {}, last);
   // Every further round lessens the cost, so what is kept does one as well.
   const Track kept = fine_rounds(track.judged, track.vertices, {}, last);
-  const TurningOptions& turning = options_.turning;
-  if (turned.cost() < turning.max_remaining * kept.cost() &&
-      turned.registration.energy < turning.max_energy * kept.registration.energy)
-    track = std::move(turned);
+  const double energy = turned.registration.energy / kept.registration.energy,
+               cost = turned.cost() / kept.cost(), most = options_.turning.max_remaining;
+  if (energy < most && cost < most * energy) track = std::move(turned);
 }
 
 void Refinement::settle(Track& track, std::span<const Point> anchors) const {
