@@ -156,6 +156,19 @@ void for_each_number(MendingOptions& m, const std::string& at, const Visitor& vi
 }
 
 template <class Visitor>
+void for_each_number(TurningOptions& t, const std::string& at, const Visitor& visit) {
+  visit(at + ".shortest", t.shortest);
+  visit(at + ".longest", t.longest);
+  visit(at + ".ring", t.ring);
+  visit(at + ".twisted", t.twisted);
+  visit(at + ".held", t.held);
+  visit(at + ".tolerable", t.tolerable);
+  visit(at + ".least_turned", t.least_turned);
+  visit(at + ".max_remaining", t.max_remaining);
+  for_each_number(t.registration, at + ".registration", visit);
+}
+
+template <class Visitor>
 void for_each_number(Options& options, const Visitor& visit) {
   for_each_number(options.pyramid, "pyramid", visit);
   for_each_number(options.contacts, "contacts", visit);
@@ -180,6 +193,7 @@ void for_each_number(Options& options, const Visitor& visit) {
   visit("first_basis", options.first_basis);
   for_each_number(options.alternation, "alternation", visit);
   for_each_number(options.mending, "mending", visit);
+  for_each_number(options.turning, "turning", visit);
   visit("reverse_rounds", options.reverse_rounds);
   visit("max_disagreement", options.max_disagreement);
   visit("sliding.steps", options.sliding.steps);

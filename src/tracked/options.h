@@ -230,6 +230,26 @@ struct MendingOptions {
                                             .iterations = 3};
 };
 
+/// How ends of limbs that are half a turn off are found and turned, see `with_an_end_turned`.
+struct TurningOptions {
+  /// The end of a limb is what lies between its tip and where it is narrowest, in rings of such a
+  /// width, no closer to the tip than where fingers part and no farther than half a limb.
+  double shortest = 0.08, longest = 0.25, ring = 0.02;
+  /// Over which length behind the end the limb is twisted, and what is held behind that.
+  double twisted = 0.06, held = 0.03;
+  /// An end is worth turning if its cost, registered alone, is at most so many times what it was:
+  /// the limb behind it adapts only when all is registered again. Right ends cost 1.4 times as much
+  /// and more. It must have moved by so much of half a turn: thin ends slide back.
+  double tolerable = 1.25, least_turned = 0.5;
+  /// Of the energy and of the cost over it, at most, remains of the whole where a turn is right.
+  double max_remaining = 0.99;
+  elastic::RegistrationOptions registration{.first_length = 0.03,
+                                            .last_length = 0.01,
+                                            .anchor_steps = 1,
+                                            .surface_steps = 4,
+                                            .iterations = 2};
+};
+
 /// How images slide along the target until both surfaces curve alike, see `slid`.
 struct SlidingOptions {
   int steps = 10;
@@ -300,6 +320,7 @@ struct Options {
                                            .surface_steps = 1,
                                            .iterations = 3};
   MendingOptions mending;
+  TurningOptions turning;
   /// The last of the rounds, which the target does as well, onto the source.
   int reverse_rounds = 3;
   /// Where both directions disagree by more than this, one has lost a limb, and the own one counts.

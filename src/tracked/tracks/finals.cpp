@@ -126,6 +126,7 @@ Finals run_finals(const Pyramid& target, const std::vector<Judged>& judged, cons
   if (options.rounds == 0) return finals;
   Steps steps(context, kRefinementStage, kFine, 1, static_cast<int>(finals.tracks.size()));
   for (Track& track : finals.tracks) {
+    refinement.turn_an_end(track);
     settle_with_reverse(track, refinement, target, options, context);
     steps.take();
   }

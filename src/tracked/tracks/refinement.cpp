@@ -8,6 +8,7 @@
 
 #include "tracked/hypotheses/densify.h"
 #include "tracked/tracks/deformed_surface.h"
+#include "tracked/tracks/ends.h"
 #include "tracked/tracks/mending.h"
 
 namespace isomatch::tracked {
@@ -165,6 +166,19 @@ Track Refinement::fine_rounds(const Judged& judged, std::vector<int> vertices,
   }
   weigh_left_out(track);
   return track;
+}
+
+void Refinement::turn_an_end(Track& track) const {
+  if (options_.parts || track.judged.hypothesis.pose) return;
+  std::vector<int> vertices = with_an_end_turned(track, target_.proxy, fine_surface_, options_);
+  if (vertices.empty()) return;
+  const int last = options_.rounds - 1;
+  Track turned = fine_rounds(track.judged, std::move(vertices), {}, last);
+  // Every further round lessens the cost, so what is kept does one as well.
+  const Track kept = fine_rounds(track.judged, track.vertices, {}, last);
+  const double energy = turned.registration.energy / kept.registration.energy,
+               cost = turned.cost() / kept.cost(), most = options_.turning.max_remaining;
+  if (energy < most && cost < most * energy) track = std::move(turned);
 }
 
 void Refinement::settle(Track& track, std::span<const Point> anchors) const {

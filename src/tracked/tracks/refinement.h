@@ -55,6 +55,8 @@ class Refinement {
   Track follow(Track track) const;
   /// The track after the remaining rounds, on the fine level.
   Track finish(const Track& middle) const;
+  /// Turns the end of a limb of a finished track by half, if the surfaces fit better for it.
+  void turn_an_end(Track& track) const;
   /// The last rounds of a track on the fine level, `first` and later ones, that begins at
   /// `vertices`, or, if it is a motion in space, at `positions`; `inside` are the nodes that have a
   /// counterpart.
