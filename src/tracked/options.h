@@ -299,6 +299,11 @@ struct Options {
                                            .anchor_steps = 2,
                                            .surface_steps = 1,
                                            .iterations = 3};
+  /// On the fine level, nodes that a spectral step moves farther than this, about four times the
+  /// distance between nodes, to places so many times as far, in squares, from those of their
+  /// neighbours as before, stay. Where all are moved alike the step is more often right: without
+  /// the second number errors on six pairs of animals rise from 1.034 to 1.055.
+  double torn_move = 0.1, torn_spread = 2;
   MendingOptions mending;
   /// The last of the rounds, which the target does as well, onto the source.
   int reverse_rounds = 3;
