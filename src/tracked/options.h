@@ -310,9 +310,10 @@ struct Options {
   /// Where both directions disagree by more than this, one has lost a limb, and the own one counts.
   double max_disagreement = 0.1;
   SlidingOptions sliding;
-  /// The registration half way between both.
-  elastic::RegistrationOptions settling{.first_length = 0.003,
-                                        .last_length = 0.003,
+  /// The registration half way between both; with a third of these lengths errors are no smaller,
+  /// and half as many triangles again are folded.
+  elastic::RegistrationOptions settling{.first_length = 0.01,
+                                        .last_length = 0.01,
                                         .anchor_steps = 1,
                                         .surface_steps = 0,
                                         .iterations = 3};
