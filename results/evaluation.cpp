@@ -157,6 +157,10 @@ Json to_json(const Evaluation& evaluation) {
     json["flipped"] = evaluation.flipped();
   }
   if (evaluation.true_map) json["ground_truth_map"] = truth_json(*evaluation.true_map);
+  if (evaluation.registered)
+    json["registered"] = {{"folded", evaluation.registered->folded},
+                          {"squeezed", evaluation.registered->squeezed},
+                          {"reach", evaluation.registered->reach}};
   return json;
 }
 

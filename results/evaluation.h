@@ -9,6 +9,7 @@
 #include "isomatch/io/map_file.h"
 #include "isomatch/measure/metrics.h"
 #include "isomatch/measure/overlap.h"
+#include "isomatch/measure/registered_surface.h"
 #include "results/json.h"
 
 namespace isomatch::results {
@@ -89,6 +90,8 @@ struct Evaluation {
   std::optional<TruthEvaluation> truth;
   std::optional<TruthEvaluation> symmetric_truth;
   std::optional<TrueMapEvaluation> true_map;
+  /// Of the source bent onto the target, if that is given.
+  std::optional<RegisteredSurface> registered;
 
   bool flipped() const {
     return symmetric_truth && symmetric_truth->template_errors.mean < truth->template_errors.mean;

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "command.h"
+#include "isomatch/error.h"
 #include "isomatch/io/map_file.h"
 #include "isomatch/io/mesh_io.h"
 #include "load.h"
@@ -17,7 +20,7 @@ namespace isomatch::cli {
 namespace {
 
 struct EvalArguments {
-  std::string source, target, map;
+  std::string source, target, map, registered;
   results::TruthFiles truth;
   bool one_based = false;
   bool json = false;
@@ -29,6 +32,14 @@ struct Measured {
   MapReadReport map;
 };
 
+/// Throws `BadFile` if there are not as many as the source has.
+std::vector<Point> registered_vertices(const std::string& file, const Shape& source) {
+  std::vector<Point> vertices = read_mesh(file).vertices;
+  if (std::cmp_not_equal(vertices.size(), source.num_vertices()))
+    throw BadFile(file, "does not have as many vertices as the source");
+  return vertices;
+}
+
 Measured measure(const EvalArguments& arguments, const Context& context) {
   const Shape source = results::shape_of(arguments.source, load_mesh(arguments.source));
   const Shape target = results::shape_of(arguments.target, load_mesh(arguments.target));
@@ -38,6 +49,9 @@ Measured measure(const EvalArguments& arguments, const Context& context) {
       read_matches(arguments.map, checks, told_numbering(arguments.one_based), &result.map);
   result.evaluation = results::evaluate(source, target, results::measured_map(target, map),
                                         arguments.truth, arguments.options, context);
+  if (!arguments.registered.empty())
+    result.evaluation.registered = measure_registered(
+        source.mesh(), registered_vertices(arguments.registered, source), target.mesh(), context);
   return result;
 }
 
@@ -84,6 +98,14 @@ void print(std::string_view name, const results::TruthEvaluation& truth) {
   print_d_grd("D_grd / maximum geodesic", truth.match_errors);
 }
 
+void print(const RegisteredSurface& surface) {
+  fmt::print("the registered source\n");
+  fmt::print("  triangles                       {:.2f} % at folds, {:.2f} % squeezed\n",
+             100 * surface.folded, 100 * surface.squeezed);
+  fmt::print("  reach                           {:.1f} % of the target's area\n",
+             100 * surface.reach);
+}
+
 void print(const results::Evaluation& evaluation) {
   const MapOrientation& orientation = evaluation.orientation;
   fmt::print("{} matches\n", evaluation.distortion.matches);
@@ -99,6 +121,7 @@ void print(const results::Evaluation& evaluation) {
     fmt::print("  symmetric flip                  {}\n", evaluation.flipped() ? "yes" : "no");
   }
   if (evaluation.true_map) print(*evaluation.true_map);
+  if (evaluation.registered) print(*evaluation.registered);
 }
 
 void run_eval(const EvalArguments& arguments, const Context& context) {
@@ -143,6 +166,11 @@ void add_files(CLI::App& command, EvalArguments& arguments) {
                   "Ground truth as a map of every source vertex, in the formats of MAP but pairs, "
                   "numbered from zero, -1 where the target has no counterpart; tells also how well "
                   "MAP leaves those out")
+      ->type_name("FILE");
+  command
+      .add_option("--registered", arguments.registered,
+                  "The source bent onto the target, such as the registered.ply of a result: tells "
+                  "what became of its surface, and how much of the target it reaches")
       ->type_name("FILE");
 }
 

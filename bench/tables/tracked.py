@@ -38,12 +38,23 @@ class Figures:
         self.exact, self.perfect = exact, perfect
         self.d_iso = evaluation["d_iso_over_max_geodesic"]
         self.orientation = evaluation["orientation"]["verdict"]
+        self.registered = evaluation["registered"]
         self.flipped = evaluation.get("flipped", self.orientation == "reverses")
         self.has_truth = "ground_truth" in evaluation
         if self.has_truth:
             self.vertices, self.points = (
                 100 * evaluation["ground_truth"][f"{kind}_over_sqrt_area"]["mean"]
                 for kind in ("error", "point_error"))
+
+    @property
+    def unsound(self):
+        """Triangles of the registered source at folds or squeezed, in %."""
+        return 100 * (self.registered["folded"] + self.registered["squeezed"])
+
+    @property
+    def reach(self):
+        """Of the target's area what the registered source reaches, in %."""
+        return 100 * self.registered["reach"]
 
     @property
     def wrong(self):
@@ -55,7 +66,7 @@ class Figures:
         errors += [f"{self.exact:.2f}"] if self.exact is not None else []
         outcome = "flipped" if self.flipped else "wrong" if self.wrong else self.orientation
         return [self.pair.name, *errors, f"{self.d_iso['mean']:.4f}", outcome,
-                f"{self.report['ambiguity']:.2f}", f"{self.seconds:.2f}"]
+                f"{self.unsound:.2f}", f"{self.reach:.1f}", f"{self.report['ambiguity']:.2f}", f"{self.seconds:.2f}"]
 
 
 class Failure:
@@ -106,12 +117,13 @@ def match(program, pair, has_truth, options):
         run([program, "match", *pair.meshes, "-o", out, "--quiet", *options])
         seconds = time.perf_counter() - start
         out = pathlib.Path(out)
+        surface = ["--registered", out / "registered.ply"]
         report = json.loads((out / "report.json").read_text())
         if not has_truth:
             return Figures(pair, seconds, report,
-                           evaluate(program, *pair.meshes, out / "correspondence.txt"))
+                           evaluate(program, *pair.meshes, out / "correspondence.txt", surface))
         result = out / "source_to_target.bary.txt"
-        evaluation = evaluate(program, *pair.meshes, result, pair.truth)
+        evaluation = evaluate(program, *pair.meshes, result, [*pair.truth, *surface])
         return Figures(pair, seconds, report, evaluation,
                        *exact_figures(program, pair, result, out))
 
@@ -137,7 +149,12 @@ def measure(arguments, title, pairs, has_truth, options=()):
 
 ACCURACY_COLUMNS = ["pairs", "mean", "median", "95 %", "points: mean", "median", "95 %",
                     "worst pair", "exact truth: mean", "median", "worst pair", "perfect map",
-                    "flipped", "wrong", "failed", "seconds"]
+                    "flipped", "wrong", "folded or squeezed %", "reach %", "failed", "seconds"]
+
+
+def surface_cells(results):
+    return [f"{mean(f.unsound for f in results.figures):.2f}",
+            f"{mean(f.reach for f in results.figures):.1f}"]
 
 
 def accuracy_cells(results):
@@ -159,7 +176,7 @@ def accuracy_cells(results):
             *distribution([f.points for f in results.figures]),
             worst(results.figures, lambda f: f.points), *exact,
             sum(f.flipped for f in results.figures), sum(f.wrong for f in results.figures),
-            len(results.failures), results.median_seconds()]
+            *surface_cells(results), len(results.failures), results.median_seconds()]
 
 
 def cross_cells(results):
@@ -167,12 +184,12 @@ def cross_cells(results):
     verdicts = [f.orientation for f in results.figures]
     return [results.pairs, f"{mean(means):.4f}", f"{max(means, default=0):.4f}",
             f"{mean(f.d_iso['maximum'] for f in results.figures):.4f}",
-            verdicts.count("preserves"), verdicts.count("reverses"), len(results.failures),
-            results.median_seconds()]
+            verdicts.count("preserves"), verdicts.count("reverses"),
+            *surface_cells(results), len(results.failures), results.median_seconds()]
 
 
 CROSS_COLUMNS = ["pairs", "D_iso", "largest D_iso", "d_iso†", "orientation preserved", "reversed",
-                 "failed", "seconds"]
+                 "folded or squeezed %", "reach %", "failed", "seconds"]
 
 
 def table(first_columns, columns, cells, all_results):
@@ -200,7 +217,8 @@ def pairs_section(title, results):
     errors = ["error", "points"] if results.has_truth else []
     errors += ["exact"] if results.exact else []
     lines = ["", f"### {title}", ""]
-    lines += table_head(["pair", *errors, "D_iso", "map", "ambiguity", "seconds"])
+    lines += table_head(["pair", *errors, "D_iso", "map", "folded or squeezed %", "reach %",
+                         "ambiguity", "seconds"])
     lines += [table_line(f.cells) for f in results.figures]
     for failure in results.failures:
         lines += ["", ": ".join(failure.cells)]
@@ -220,7 +238,9 @@ of the data), from which the map's points are as far as it says, and the *perfec
 exact truth itself scores by the usual one, as nearest vertices. *Flipped* maps are nearer to
 the left-right symmetric truth than to the true one; where none is known, they reverse orientation.
 *Wrong* maps are not flipped and have an error above {gross}. Means include both, but not pairs that
-*failed*. Seconds are the median wall time of the whole program, with reading and writing.
+*failed*. Of the registered source, the share of triangles that are *folded or squeezed*, and of the
+target's area that it *reaches*, are defined in [metrics.md](../metrics.md), means over the pairs.
+Seconds are the median wall time of the whole program, with reading and writing.
 
 """
 

@@ -47,12 +47,12 @@ Side side_of(const Shape& shape, const Context& context) {
 }
 
 /// Vertices of the source that have an image, and their images.
-struct Images {
+struct SampledImages {
   std::vector<int> vertices, targets;
 };
 
-Images images_of(const OnSurface<VertexMap>& map) {
-  Images images;
+SampledImages images_of(const OnSurface<VertexMap>& map) {
+  SampledImages images;
   for (int v = 0; v < static_cast<int>(map->size()); ++v) {
     if ((*map)[v] == kUnmatched) continue;
     images.vertices.push_back(v);
@@ -103,8 +103,8 @@ std::vector<double> stretch_around(const std::vector<float>& before,
 }
 
 /// Those of the images that are evenly spread over the source.
-Images spread(const Images& images, const Side& source, const Context& context) {
-  Images samples;
+SampledImages spread(const SampledImages& images, const Side& source, const Context& context) {
+  SampledImages samples;
   for (int k : farthest_points(*source.graph, images.vertices, kSamples, 0, context)) {
     samples.vertices.push_back(images.vertices[k]);
     samples.targets.push_back(images.targets[k]);
@@ -113,8 +113,9 @@ Images spread(const Images& images, const Side& source, const Context& context) 
 }
 
 /// `near` are the distances between the samples on the source that are within reach.
-void measure_stretch(const Side& target, const Images& samples, const std::vector<float>& near,
-                     double scale, const Context& context, FitMeasures& measures) {
+void measure_stretch(const Side& target, const SampledImages& samples,
+                     const std::vector<float>& near, double scale, const Context& context,
+                     FitMeasures& measures) {
   std::vector<float> images = distances_between(target, samples.targets, kFar, context);
   for (float& distance : images) distance /= static_cast<float>(scale);
   const std::vector<double> stretch = stretch_around(near, images, samples.vertices.size());
@@ -124,7 +125,7 @@ void measure_stretch(const Side& target, const Images& samples, const std::vecto
   measures.distorted = static_cast<double>(std::ranges::count_if(stretch, is_distorted)) / count;
 }
 
-double displacement(const Side& source, const Side& target, Images samples,
+double displacement(const Side& source, const Side& target, SampledImages samples,
                     const Context& context) {
   const std::size_t count = std::min<std::size_t>(samples.vertices.size(), kFarSamples);
   samples.vertices.resize(count);
@@ -174,7 +175,7 @@ double centre(std::vector<double>& values) {
   return std::sqrt(sum / count);
 }
 
-double relief_agreement(const Side& source, const Side& target, const Images& samples,
+double relief_agreement(const Side& source, const Side& target, const SampledImages& samples,
                         const Context& context) {
   std::vector<double> before = heights(source, samples.vertices, context);
   std::vector<double> after = heights(target, samples.targets, context);
@@ -201,7 +202,7 @@ double sine(const Point& normal, const Point& a, const Point& b) {
 
 /// Sum, over all pairs of the neighbours of a sample, of the product of their sines before and
 /// after: negative where most turns change their sense.
-double turning(const Side& source, const Side& target, const Images& samples, std::size_t at,
+double turning(const Side& source, const Side& target, const SampledImages& samples, std::size_t at,
                const std::vector<int>& neighbours) {
   const auto towards = [&](const Side& side, const std::vector<int>& vertices, int neighbour) {
     return Point(side.surface.mesh.vertices[vertices[neighbour]] -
@@ -224,7 +225,7 @@ double turning(const Side& source, const Side& target, const Images& samples, st
 }
 
 /// Share of the samples around which the map turns the surface over.
-double reversed_share(const Side& source, const Side& target, const Images& samples,
+double reversed_share(const Side& source, const Side& target, const SampledImages& samples,
                       const std::vector<float>& near) {
   if (!source.surface.oriented || !target.surface.oriented) return -1;
   const std::size_t count = samples.vertices.size();
@@ -244,10 +245,10 @@ double reversed_share(const Side& source, const Side& target, const Images& samp
 FitMeasures measure_fit(const Shape& source, const Shape& target, const OnSurface<VertexMap>& map,
                         double scale, const Context& context) {
   const Side from = side_of(source, context), onto = side_of(target, context);
-  const Images images = images_of(map);
+  const SampledImages images = images_of(map);
   if (images.vertices.empty()) return {.unreached = 1, .unmatched = 1, .reversed = -1};
   FitMeasures measures;
-  const Images samples = spread(images, from, context);
+  const SampledImages samples = spread(images, from, context);
   const std::vector<float> near = distances_between(from, samples.vertices, kReach, context);
   measure_stretch(onto, samples, near, scale, context, measures);
   measures.displacement = displacement(from, onto, samples, context);

@@ -195,6 +195,8 @@ void for_each_number(Options& options, const Visitor& visit) {
   for_each_number(options.mending, "mending", visit);
   for_each_number(options.turning, "turning", visit);
   visit("reverse_rounds", options.reverse_rounds);
+  visit("torn_move", options.torn_move);
+  visit("torn_spread", options.torn_spread);
   visit("max_disagreement", options.max_disagreement);
   visit("sliding.steps", options.sliding.steps);
   visit("sliding.stiffness", options.sliding.stiffness);

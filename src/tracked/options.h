@@ -319,6 +319,11 @@ struct Options {
                                            .anchor_steps = 2,
                                            .surface_steps = 1,
                                            .iterations = 3};
+  /// On the fine level, nodes that a spectral step moves farther than this, about four times the
+  /// distance between nodes, to places so many times as far, in squares, from those of their
+  /// neighbours as before, stay. Where all are moved alike the step is more often right: without
+  /// the second number errors on six pairs of animals rise from 1.034 to 1.055.
+  double torn_move = 0.1, torn_spread = 2;
   MendingOptions mending;
   TurningOptions turning;
   /// The last of the rounds, which the target does as well, onto the source.
@@ -326,9 +331,10 @@ struct Options {
   /// Where both directions disagree by more than this, one has lost a limb, and the own one counts.
   double max_disagreement = 0.1;
   SlidingOptions sliding;
-  /// The registration half way between both.
-  elastic::RegistrationOptions settling{.first_length = 0.003,
-                                        .last_length = 0.003,
+  /// The registration half way between both; with a third of these lengths errors are no smaller,
+  /// and half as many triangles again are folded.
+  elastic::RegistrationOptions settling{.first_length = 0.01,
+                                        .last_length = 0.01,
                                         .anchor_steps = 1,
                                         .surface_steps = 0,
                                         .iterations = 3};

@@ -11,6 +11,18 @@
 namespace isomatch::tracked {
 namespace {
 
+/// The nodes that are at most two edges away from one, itself among them, ascending.
+std::vector<int> within_two_edges(const IndexLists& neighbours, int node) {
+  std::vector<int> around{node};
+  for (int i : neighbours[node]) {
+    around.push_back(i);
+    around.insert(around.end(), neighbours[i].begin(), neighbours[i].end());
+  }
+  std::ranges::sort(around);
+  around.erase(std::ranges::unique(around).begin(), around.end());
+  return around;
+}
+
 /// Means over a node and those around it, by their distances at rest from a point.
 class Blend {
  public:
@@ -18,6 +30,8 @@ class Blend {
       : deformation_(deformation), nodes_(nodes), energies_(deformation.energies()) {
     for (const auto& rotation : deformation.rotations())
       rotations_.push_back(rotation.toRotationMatrix());
+    for (int i = 0; i < deformation.size(); ++i)
+      around_.push_back(within_two_edges(deformation.neighbours(), i));
   }
 
   /// What becomes of a point, and of the nodes around it.
@@ -51,12 +65,19 @@ class Blend {
     int node;
     double weight;
   };
-  /// Of the nodes around a point; the weights have sum 1.
+  /// Of the nodes closest to a point, among those around the nearest; the weights have sum 1, and
+  /// fall to zero at the first that has none, so that they change smoothly where others are
+  /// closest.
   std::vector<Share> shares(int nearest, const Point& position) const {
-    const auto distance = [&](int node) { return (position - deformation_.rest()[node]).norm(); };
-    std::vector<Share> shares{{nearest, distance(nearest)}};
-    for (int j : deformation_.neighbours()[nearest]) shares.push_back({j, distance(j)});
-    const double reach = 1.01 * std::ranges::max(shares, {}, &Share::weight).weight + 1e-12;
+    constexpr std::size_t kClosest = 8;  // A node, the ring around it, and the one that ends it.
+    std::vector<Share> shares;
+    for (int node : around_[nearest])
+      shares.push_back({node, (position - deformation_.rest()[node]).norm()});
+    const std::size_t count = std::min(kClosest, shares.size());
+    std::ranges::partial_sort(shares, shares.begin() + static_cast<std::ptrdiff_t>(count), {},
+                              &Share::weight);
+    shares.resize(count);
+    const double reach = (1 + 1e-9) * shares.back().weight + 1e-12;
     double total = 0;
     for (Share& share : shares) total += share.weight = std::pow(1 - share.weight / reach, 2);
     for (Share& share : shares) share.weight /= total;
@@ -67,6 +88,8 @@ class Blend {
   const elastic::PointCloud& nodes_;
   std::vector<double> energies_;
   std::vector<Eigen::Matrix3d> rotations_;
+  /// Of each node the nodes that are at most two edges away, itself among them.
+  std::vector<std::vector<int>> around_;
 };
 
 void move(const Blend& blend, int nearest, std::size_t v, DeformedSurface& surface) {

@@ -57,6 +57,25 @@ double price_of(const Judged& judged, const Options& options) {
          (judged.hypothesis.pose ? options.hypotheses.poses.price : 1);
 }
 
+/// The places of a spectral step, but those of before where it tears a node away from the nodes
+/// around it: on limbs thinner than the eigenfunctions oscillate it cannot tell places apart.
+std::vector<int> untorn(const std::vector<int>& before, std::vector<int> after,
+                        const IndexLists& neighbours, const std::vector<Point>& positions,
+                        const Options& options) {
+  const auto spread = [&](const std::vector<int>& places, int i) {
+    double sum = 0;
+    for (int j : neighbours[i]) sum += (positions[places[i]] - positions[places[j]]).squaredNorm();
+    return sum;
+  };
+  const std::vector<int> step = after;
+  for (int i = 0; std::cmp_less(i, step.size()); ++i) {
+    const double move = (positions[step[i]] - positions[before[i]]).norm();
+    if (move > options.torn_move && spread(step, i) > options.torn_spread * spread(before, i))
+      after[i] = before[i];
+  }
+  return after;
+}
+
 double between(double first, double last, double progress) {
   return first * std::pow(last / first, progress);
 }
@@ -148,6 +167,9 @@ Track Refinement::finish(const Track& middle) const {
   const int first = options_.middle_rounds();
   Track track = middle;
   std::vector<int> vertices = spectral_step(track, fine, first);
+  if (!options_.parts && !track.judged.hypothesis.pose)
+    vertices = untorn(carried_vertices(track, fine), std::move(vertices), fine.graph.neighbours,
+                      target_.proxy.mesh.vertices, options_);
   return fine_rounds(middle.judged, std::move(vertices),
                      inside_on(fine, middle.judged.source->proxy, track), first,
                      carried(track, fine));
@@ -161,7 +183,11 @@ Track Refinement::fine_rounds(const Judged& judged, std::vector<int> vertices,
   if (judged.hypothesis.pose && !positions.empty()) place(track, std::move(positions));
   run_round(track, first);
   for (int round = first + 1; round < options_.rounds; ++round) {
-    track.vertices = spectral_step(track, fine, round);
+    std::vector<int> places = spectral_step(track, fine, round);
+    track.vertices = options_.parts
+                         ? std::move(places)
+                         : untorn(track.vertices, std::move(places), fine.graph.neighbours,
+                                  target_.proxy.mesh.vertices, options_);
     run_round(track, round);
   }
   weigh_left_out(track);
@@ -232,6 +258,19 @@ std::vector<Point> Refinement::carried(const Track& track, const Level& wanted) 
   const Proxy& proxy = track.judged.source->proxy;
   const DeformedSurface deformed = deformed_surface(proxy, track.deformation, track.cloud);
   return selected(deformed.positions, {proxy.nodes.begin(), proxy.nodes.begin() + wanted.size()});
+}
+
+/// Where those nodes are on the target.
+std::vector<int> Refinement::carried_vertices(const Track& track, const Level& wanted) const {
+  const Proxy& proxy = track.judged.source->proxy;
+  const DeformedSurface deformed = deformed_surface(proxy, track.deformation, track.cloud);
+  const elastic::Projection& surface = surface_of(track);
+  std::vector<elastic::Foot> feet;
+  for (int i = 0; i < wanted.size(); ++i) {
+    const int v = proxy.nodes[i];
+    feet.push_back(surface(deformed.positions[v], deformed.normals[v], deformed.features[v]));
+  }
+  return nearest_vertices(target_.proxy.mesh, feet);
 }
 
 /// The same on what overlaps. Nodes outside stay where those around them are.

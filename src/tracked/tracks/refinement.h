@@ -79,6 +79,7 @@ class Refinement {
   void replace_if_better(Track& track, Track other) const;
   std::vector<int> spectral_step(Track& track, const Level& wanted, int round) const;
   static std::vector<Point> carried(const Track& track, const Level& wanted);
+  std::vector<int> carried_vertices(const Track& track, const Level& wanted) const;
   std::vector<int> overlap_step(Track& track, const Level& wanted, int round) const;
   std::shared_ptr<const Overlap> overlap_of(const Track& track, const std::vector<int>& nearest,
                                             int functions) const;
