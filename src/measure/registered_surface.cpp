@@ -94,9 +94,9 @@ double reached_share(const Mesh& mesh, int face, const FaceTree& surface, double
 }
 
 double reach(const Mesh& registered, const Mesh& target, const Context& context) {
-  constexpr double kReach = 0.01;
+  constexpr double kReachedWithin = 0.01;
   std::vector<double> areas = face_areas(target);
-  const double area = sum(areas), distance = kReach * std::sqrt(area);
+  const double area = sum(areas), distance = kReachedWithin * std::sqrt(area);
   const FaceTree tree(registered);
   parallel_for(std::ssize(areas), context, [&](std::ptrdiff_t f) {
     if (areas[f] > 0) areas[f] *= reached_share(target, static_cast<int>(f), tree, distance);

@@ -19,7 +19,7 @@ namespace {
 
 /// The area of what remains jumps where a limb comes off, so that some directions have no plane for
 /// a share; another one soon has.
-constexpr int kDirections = 20;
+constexpr int kCutDirections = 20;
 constexpr double kTolerance = 0.01;
 
 Eigen::Vector3d random_direction(Random& random) {
@@ -100,7 +100,7 @@ Cut best_cut(const Mesh& mesh, const Eigen::Vector3d& direction, double area) {
 Mesh cut_by_plane(Mesh mesh, double share, Random& random) {
   const double area = surface_area(mesh);
   Cut best;
-  for (int i = 0; i < kDirections && best.error > kTolerance * area; ++i) {
+  for (int i = 0; i < kCutDirections && best.error > kTolerance * area; ++i) {
     Cut cut = best_cut(mesh, random_direction(random), (1 - share) * area);
     if (cut.error < best.error) best = std::move(cut);
   }
