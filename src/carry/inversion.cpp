@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/closest_point.h"
+#include "geometry/interpolation.h"
 #include "geometry/kd_tree.h"
 #include "geometry/weld.h"
 #include "isomatch/carry/map_inversion.h"
@@ -92,15 +93,7 @@ class Images {
   }
 
   Coordinates image(const Mesh& target, const SurfacePoint& point) const {
-    Point normal(0, 0, 0);
-    for (int k = 0; k < 3; ++k) normal += point.weights[k] * normals_[target.faces[point.face][k]];
-    return joined(position(target, point), normal.normalized());
-  }
-
-  Coordinates blend(const SurfacePoint& point) const {
-    Coordinates sum = Coordinates::Zero();
-    for (int k = 0; k < 3; ++k) sum += point.weights[k] * points_[faces_.faces[point.face][k]];
-    return sum;
+    return joined(position(target, point), interpolated(target, normals_, point).normalized());
   }
 
   /// Closest in position on the face, and its squared distance in all.
@@ -111,7 +104,7 @@ class Images {
     // Images that fall onto one place leave a face degenerate: its nearest corner stands for it.
     if (!std::isfinite(point.weights[0] + point.weights[1] + point.weights[2]))
       point.weights = nearest_corner(face, query);
-    return {point, (blend(point) - query).squaredNorm()};
+    return {point, (interpolated(faces_, points_, point) - query).squaredNorm()};
   }
 
   std::array<double, 3> nearest_corner(int face, const Coordinates& query) const {
@@ -128,7 +121,7 @@ class Images {
   }
 
   double gap(const SurfacePoint& point, const Coordinates& query) const {
-    return (blend(point) - query).head<3>().norm();
+    return (interpolated(faces_, points_, point) - query).head<3>().norm();
   }
 
   double normal_weight_;

@@ -3,6 +3,7 @@
 #include "elastic/projection.h"
 
 #include "geometry/closest_point.h"
+#include "geometry/interpolation.h"
 
 namespace isomatch::elastic {
 
@@ -29,9 +30,8 @@ Foot Projection::operator()(const Point& position, const Point& normal, const Fe
   foot.point = closest_point_around(mesh_, vertex_faces_,
                                     nearest_vertex_(position, normal, features, guess), position);
   foot.position = isomatch::position(mesh_, foot.point);
+  foot.normal = interpolated(mesh_, normals_, foot.point).normalized();
   const Face& face = mesh_.faces[foot.point.face];
-  for (int k = 0; k < 3; ++k) foot.normal += foot.point.weights[k] * normals_[face[k]];
-  foot.normal.normalize();
   foot.on_rim = true;
   for (int k = 0; k < 3; ++k)
     if (foot.point.weights[k] > 0 && !on_rim_[face[k]]) foot.on_rim = false;

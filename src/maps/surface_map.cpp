@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/interpolation.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
 
@@ -22,10 +23,7 @@ void check_length(std::size_t length, int vertices) {
 }  // namespace
 
 Point position(const Mesh& mesh, const SurfacePoint& point) {
-  const Face& face = mesh.faces[point.face];
-  Point sum(0, 0, 0);
-  for (int k = 0; k < 3; ++k) sum += point.weights[k] * mesh.vertices[face[k]];
-  return sum;
+  return interpolated(mesh, mesh.vertices, point);
 }
 
 void check_map(const SurfaceMap& map, int from_vertices, int onto_faces) {

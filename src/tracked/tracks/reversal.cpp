@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/interpolation.h"
 #include "tracked/tracks/deformed_surface.h"
 #include "tracked/tracks/sliding.h"
 
@@ -59,15 +60,13 @@ Laid laid(const Proxy& proxy, const Proxy& onto, const SurfaceMap& images) {
   for (std::size_t v = 0; v < images.size(); ++v) {
     const auto& [face, weights] = images[v];
     result.mesh.vertices.push_back(position(onto.mesh, images[v]));
-    Point normal(0, 0, 0);
+    result.normals.push_back(interpolated(onto.mesh, onto.normals, images[v]).stableNormalized());
     result.features[v].place = {};
     for (int k = 0; k < 3; ++k) {
       const int corner = onto.mesh.faces[face][k];
-      normal += weights[k] * onto.normals[corner];
       for (int p = 0; p < elastic::kPlaces; ++p)
         result.features[v].place[p] += weights[k] * onto.features[corner].place[p];
     }
-    result.normals.push_back(normal.stableNormalized());
   }
   return result;
 }

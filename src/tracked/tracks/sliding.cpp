@@ -11,6 +11,7 @@
 #include "geometry/closest_point.h"
 #include "geometry/cotangent_laplacian.h"
 #include "geometry/hat_gradients.h"
+#include "geometry/interpolation.h"
 #include "geometry/walk.h"
 
 namespace isomatch::tracked {
@@ -158,7 +159,8 @@ class Sliding {
     for (int v = 0; v < source_.num_vertices(); ++v) {
       Eigen::Matrix3d around = stretch[v];
       for (const Link& link : links_[v]) around += stretch[link.to];
-      const Frame there = frame_at(normal_at(images[v]));
+      const Frame there =
+          frame_at(direction_of(interpolated(target_.mesh, target_.normals, images[v])));
       const Tangent first = there.coordinates(around * frames_[v].first),
                     second = there.coordinates(around * frames_[v].second);
       const double cosine = first.x() + second.y(), sine = first.y() - second.x();
@@ -166,13 +168,6 @@ class Sliding {
       frames.push_back(length > 0 ? turned(there, cosine / length, sine / length) : there);
     }
     return frames;
-  }
-
-  Point normal_at(const SurfacePoint& image) const {
-    Point normal(0, 0, 0);
-    for (int k = 0; k < 3; ++k)
-      normal += image.weights[k] * target_.normals[target_.mesh.faces[image.face][k]];
-    return direction_of(normal);
   }
 
   Pull pull(int v, const SurfacePoint& image, const Frame& frame) const {
