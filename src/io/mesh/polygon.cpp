@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/tangent_frame.h"
 #include "io/mesh/tessellator.h"
 
 namespace isomatch::mesh_io {
@@ -56,9 +57,9 @@ Outline outline_of(std::vector<Point> corners) {
   constexpr double kLeast = 1e-12;
   if (!(normal.norm() > kLeast)) return {};
   normal.normalize();
-  const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
+  const TangentFrame frame = tangent_frame(normal);
   Outline outline;
-  for (const Point& corner : corners) outline.emplace_back(x.dot(corner), y.dot(corner));
+  for (const Point& corner : corners) outline.push_back(frame.coordinates(corner));
   return outline;
 }
 

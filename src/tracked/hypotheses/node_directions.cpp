@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "tracked/hypotheses/node_directions.h"
 
-#include <Eigen/Geometry>
-
 #include "geometry/hat_gradients.h"
+#include "geometry/tangent_frame.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -23,16 +22,15 @@ struct GradientStencil {
 };
 
 GradientStencil gradient_stencil(const Proxy& proxy, int vertex) {
-  const Point& normal = proxy.normals[vertex];
-  const Point x = normal.unitOrthogonal();
-  const Point y = normal.cross(x);
+  const TangentFrame frame = tangent_frame(proxy.normals[vertex]);
   GradientStencil stencil;
   for (int f : proxy.faces[vertex]) {
     const Face& face = proxy.mesh.faces[f];
     const std::array<Point, 3> gradients = hat_gradients(proxy.mesh, face);
     for (int k = 0; k < 3; ++k) {
       stencil.vertices.push_back(face[k]);
-      stencil.weights.emplace_back(gradients[k].dot(x), gradients[k].dot(y));
+      const Eigen::Vector2d gradient = frame.coordinates(gradients[k]);
+      stencil.weights.emplace_back(gradient.x(), gradient.y());
     }
   }
   return stencil;

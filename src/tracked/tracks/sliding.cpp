@@ -12,6 +12,7 @@
 #include "geometry/cotangent_laplacian.h"
 #include "geometry/hat_gradients.h"
 #include "geometry/interpolation.h"
+#include "geometry/tangent_frame.h"
 #include "geometry/walk.h"
 
 namespace isomatch::tracked {
@@ -21,25 +22,12 @@ namespace {
 using Tangent = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
 
-/// Two directions in a tangent plane.
-struct Frame {
-  Point first, second;
-
-  Point operator()(const Tangent& t) const { return t.x() * first + t.y() * second; }
-  Tangent coordinates(const Point& p) const { return {first.dot(p), second.dot(p)}; }
-};
-
 /// Of unit length, whatever happens where faces have no area.
 Point direction_of(const Point& normal) {
   return normal.isZero() ? Point::UnitZ() : normal.stableNormalized();
 }
 
-Frame frame_at(const Point& normal) {
-  const Point first = normal.unitOrthogonal();
-  return {first, normal.cross(first)};
-}
-
-Frame turned(const Frame& frame, double cosine, double sine) {
+TangentFrame turned(const TangentFrame& frame, double cosine, double sine) {
   return {cosine * frame.first + sine * frame.second, cosine * frame.second - sine * frame.first};
 }
 
@@ -80,14 +68,14 @@ class Sliding {
         areas_(vertex_areas(source.mesh)) {
     for (const Point& normal : source.normals) {
       normals_.push_back(direction_of(normal));
-      frames_.push_back(frame_at(normals_.back()));
+      frames_.push_back(tangent_frame(normals_.back()));
     }
     link();
     measure_forms();
   }
 
   void step(SurfaceMap& images) const {
-    const std::vector<Frame> frames = frames_below(images);
+    const std::vector<TangentFrame> frames = frames_below(images);
     std::vector<Pull> pulls;
     for (std::size_t v = 0; v < images.size(); ++v)
       pulls.push_back(pull(static_cast<int>(v), images[v], frames[v]));
@@ -144,7 +132,7 @@ class Sliding {
   const Eigen::Vector3d& form(int v, int k) const { return forms_[v * kSecondFormScales + k]; }
 
   /// The frames of the source as the map turns them.
-  std::vector<Frame> frames_below(const SurfaceMap& images) const {
+  std::vector<TangentFrame> frames_below(const SurfaceMap& images) const {
     std::vector<Point> places;
     for (const SurfacePoint& image : images) places.push_back(position(target_.mesh, image));
     std::vector<Eigen::Matrix3d> stretch;
@@ -155,12 +143,12 @@ class Sliding {
         stretch.back() +=
             link.weight * (places[link.to] - places[v]) * (rest[link.to] - rest[v]).transpose();
     }
-    std::vector<Frame> frames;
+    std::vector<TangentFrame> frames;
     for (int v = 0; v < source_.num_vertices(); ++v) {
       Eigen::Matrix3d around = stretch[v];
       for (const Link& link : links_[v]) around += stretch[link.to];
-      const Frame there =
-          frame_at(direction_of(interpolated(target_.mesh, target_.normals, images[v])));
+      const TangentFrame there =
+          tangent_frame(direction_of(interpolated(target_.mesh, target_.normals, images[v])));
       const Tangent first = there.coordinates(around * frames_[v].first),
                     second = there.coordinates(around * frames_[v].second);
       const double cosine = first.x() + second.y(), sine = first.y() - second.x();
@@ -170,7 +158,7 @@ class Sliding {
     return frames;
   }
 
-  Pull pull(int v, const SurfacePoint& image, const Frame& frame) const {
+  Pull pull(int v, const SurfacePoint& image, const TangentFrame& frame) const {
     Pull result;
     if (!inside_.empty() && !inside_[v]) return result;
     const Face& face = target_.mesh.faces[image.face];
@@ -249,11 +237,11 @@ class Sliding {
     return forces;
   }
 
-  void move(SurfacePoint& image, const Frame& frame, const Tangent& move) const {
+  void move(SurfacePoint& image, const TangentFrame& frame, const Tangent& move) const {
     const double length = move.norm();
     if (length == 0) return;
-    const Point p =
-        position(target_.mesh, image) + frame(move * std::min(1.0, options_.longest / length));
+    const Point p = position(target_.mesh, image) +
+                    frame.vector(move * std::min(1.0, options_.longest / length));
     const int vertex =
         walk_to_vertex(target_.mesh, target_.faces, heaviest_corner(target_.mesh, image), p);
     image = closest_point_around(target_.mesh, target_.faces, vertex, p);
@@ -265,7 +253,7 @@ class Sliding {
   const SlidingOptions& options_;
   std::vector<double> areas_;
   std::vector<Point> normals_;
-  std::vector<Frame> frames_;
+  std::vector<TangentFrame> frames_;
   std::vector<std::vector<Link>> links_;
   std::vector<Eigen::Vector3d> forms_;
   std::array<Eigen::Vector3d, kSecondFormScales> weights_;
