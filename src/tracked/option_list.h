@@ -39,7 +39,6 @@ void for_each_number(PyramidOptions& p, const std::string& at, const Visitor& vi
   visit(at + ".proxy.vertices", p.proxy.vertices);
   visit(at + ".proxy.nodes", p.proxy.nodes);
   visit(at + ".proxy.measured_nodes", p.proxy.measured_nodes);
-  visit(at + ".proxy.curvature_length", p.proxy.curvature_length);
   visit(at + ".coarse_nodes", p.coarse_nodes);
   visit(at + ".middle_nodes", p.middle_nodes);
   visit(at + ".functions", p.functions);
@@ -199,6 +198,7 @@ void for_each_number(Options& options, const Visitor& visit) {
   visit("torn_spread", options.torn_spread);
   visit("max_disagreement", options.max_disagreement);
   visit("sliding.steps", options.sliding.steps);
+  visit("sliding.curvature_length", options.sliding.curvature_length);
   visit("sliding.stiffness", options.sliding.stiffness);
   visit("sliding.longest", options.sliding.longest);
   for_each_number(options.settling, "settling", visit);

@@ -23,8 +23,6 @@ struct ProxyOptions {
   /// Those of the nodes from which distances are measured, all kept in memory: as many as there are
   /// landmarks on a target, enough that one is within .035 of every point.
   int measured_nodes = 400;
-  /// Over which the curvature is averaged, least: half an edge of the proxy.
-  double curvature_length = 0.01;
 
   bool operator==(const ProxyOptions&) const = default;
 };
@@ -253,6 +251,8 @@ struct TurningOptions {
 /// How images slide along the target until both surfaces curve alike, see `slid`.
 struct SlidingOptions {
   int steps = 10;
+  /// Over which the curvature is averaged, least: half an edge of the proxy.
+  double curvature_length = 0.01;
   /// Of the moves, against what the curvature tells: they are smooth over .06.
   double stiffness = 10;
   /// A step is at most as long as this, an edge of the proxy.

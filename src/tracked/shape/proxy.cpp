@@ -58,6 +58,10 @@ std::vector<float> distances_to_boundary(const Proxy& proxy, bool open) {
 
 }  // namespace
 
+std::shared_ptr<const std::vector<SecondForm>> second_forms_of(const Proxy& proxy, double length) {
+  return proxy.kept_forms->get(length, [&] { return second_forms(proxy.mesh, length); });
+}
+
 NodeGraph node_graph(const Proxy& proxy, int count) {
   count = std::min(count, proxy.num_nodes());
   NodeGraph graph;
@@ -103,14 +107,12 @@ Proxy make_proxy(const Detail& detail, bool oriented, bool open, const ProxyOpti
               {},
               {},
               {},
-              {},
               std::move(graph),
               {},
               {}};
   for (int v : proxy.detail_vertex) proxy.features.push_back(detail.features[v]);
   proxy.faces = vertex_faces(proxy.mesh);
   proxy.normals = unit_normals(proxy.mesh);
-  proxy.second_forms = second_forms(proxy.mesh, options.curvature_length);
   proxy.nodes = spread_nodes(*proxy.graph, options.nodes);
   measure_distances(proxy, options.measured_nodes, context);
   proxy.to_boundary = distances_to_boundary(proxy, open);

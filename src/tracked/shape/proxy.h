@@ -10,6 +10,7 @@
 #include "elastic/registration.h"
 #include "isomatch/context.h"
 #include "isomatch/mesh/topology.h"
+#include "shape/memo.h"
 #include "tracked/options.h"
 #include "tracked/shape/detail.h"
 #include "tracked/shape/second_form.h"
@@ -17,6 +18,9 @@
 namespace isomatch::tracked {
 
 using FloatMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Second fundamental forms at the vertices, by the length over which they are averaged.
+using KeptForms = Memo<double, std::vector<SecondForm>>;
 
 /// A simplified copy of a surface, on which everything global is computed, and
 /// nodes spread evenly over it. Nodes come in farthest point order, so the first k of them are
@@ -32,8 +36,6 @@ struct Proxy {
   std::vector<Point> normals;
   /// Of the vertices; places refer to the first nodes.
   std::vector<elastic::Features> features;
-  /// How it curves at the vertices.
-  std::vector<SecondForm> second_forms;
   /// Proxy vertex of each node.
   std::vector<int> nodes;
   std::shared_ptr<const GeodesicGraph> graph;
@@ -41,6 +43,8 @@ struct Proxy {
   FloatMatrix distances;
   /// Of the vertices from the boundary; infinite where nothing is missing.
   std::vector<float> to_boundary;
+  /// What `second_forms_of` has made: only proxies on which images slide need it. Copies share it.
+  std::shared_ptr<KeptForms> kept_forms = std::make_shared<KeptForms>();
 
   int num_vertices() const { return mesh.num_vertices(); }
   int num_nodes() const { return static_cast<int>(nodes.size()); }
@@ -55,6 +59,10 @@ struct Proxy {
     return std::min(node_distance(a, b), to_boundary[nodes[a]] + to_boundary[nodes[b]]);
   }
 };
+
+/// How a proxy curves at its vertices, averaged over `length`, see `second_forms`; made once, also
+/// where threads share the proxy.
+std::shared_ptr<const std::vector<SecondForm>> second_forms_of(const Proxy& proxy, double length);
 
 /// The first `count` nodes of a proxy as a graph.
 struct NodeGraph {

@@ -65,7 +65,8 @@ class Sliding {
         target_(target),
         inside_(inside),
         options_(options),
-        areas_(vertex_areas(source.mesh)) {
+        areas_(vertex_areas(source.mesh)),
+        target_forms_(second_forms_of(target, options.curvature_length)) {
     for (const Point& normal : source.normals) {
       normals_.push_back(direction_of(normal));
       frames_.push_back(tangent_frame(normals_.back()));
@@ -109,10 +110,10 @@ class Sliding {
 
   /// Forms of the source, and what makes those of all scales count the same.
   void measure_forms() {
+    const auto forms = second_forms_of(source_, options_.curvature_length);
     for (int v = 0; v < source_.num_vertices(); ++v)
-      for (int k = 0; k < kSecondFormScales; ++k)
-        forms_.push_back(
-            components(in_plane(source_.second_forms[v][k], frames_[v].first, frames_[v].second)));
+      for (const SymmetricTensor& form : (*forms)[v])
+        forms_.push_back(components(in_plane(form, frames_[v].first, frames_[v].second)));
     for (int k = 0; k < kSecondFormScales; ++k) {
       double area = 0, mean = 0, mean_square = 0, other_square = 0;
       for (int v = 0; v < source_.num_vertices(); ++v) {
@@ -169,7 +170,7 @@ class Sliding {
       Difference difference{-form(v, k), Eigen::Matrix<double, 3, 2>::Zero()};
       for (int corner = 0; corner < 3; ++corner) {
         const Eigen::Vector3d there =
-            components(in_plane(target_.second_forms[face[corner]][k], frame.first, frame.second));
+            components(in_plane((*target_forms_)[face[corner]][k], frame.first, frame.second));
         difference.value += image.weights[corner] * there;
         difference.slope += there * frame.coordinates(gradients[corner] / area).transpose();
       }
@@ -252,6 +253,7 @@ class Sliding {
   const std::vector<bool>& inside_;
   const SlidingOptions& options_;
   std::vector<double> areas_;
+  std::shared_ptr<const std::vector<SecondForm>> target_forms_;
   std::vector<Point> normals_;
   std::vector<TangentFrame> frames_;
   std::vector<std::vector<Link>> links_;
