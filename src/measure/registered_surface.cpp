@@ -10,18 +10,13 @@
 
 #include "geometry/face_orientation.h"
 #include "geometry/face_tree.h"
+#include "geometry/hat_gradients.h"
 #include "isomatch/error.h"
 #include "isomatch/mesh/topology.h"
 #include "parallel.h"
 
 namespace isomatch {
 namespace {
-
-Point scaled_normal(const Mesh& mesh, int face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  const Point& corner = mesh.vertices[a];
-  return (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner);
-}
 
 /// Zero where coordinates are not finite.
 std::vector<double> face_areas(const Mesh& mesh) {
@@ -46,7 +41,7 @@ double folded_share(const Mesh& source, const Mesh& registered, const std::vecto
     const int f = edge[0].face, g = edge[1].face;
     const double sign = is_inconsistent(source, edge) ? -1 : 1;
     const auto cosine = [&](const Mesh& mesh) {
-      return sign * scaled_normal(mesh, f).dot(scaled_normal(mesh, g));
+      return sign * area_vector(mesh, mesh.faces[f]).dot(area_vector(mesh, mesh.faces[g]));
     };
     if (cosine(source) > 0 && cosine(registered) < 0) folded[f] = folded[g] = true;
   });

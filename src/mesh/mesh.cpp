@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
-
+#include "geometry/hat_gradients.h"
 #include "isomatch/error.h"
 
 namespace isomatch {
@@ -31,9 +30,7 @@ void validate_finite(const Mesh& mesh) {
 }
 
 double face_area(const Mesh& mesh, int face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  const Point& p = mesh.vertices[a];
-  return 0.5 * (mesh.vertices[b] - p).cross(mesh.vertices[c] - p).norm();
+  return 0.5 * area_vector(mesh, mesh.faces[face]).norm();
 }
 
 double surface_area(const Mesh& mesh) {
@@ -54,8 +51,7 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
 std::vector<Point> weighted_vertex_normals(const Mesh& mesh) {
   std::vector<Point> normals(mesh.vertices.size(), Point::Zero());
   for (const Face& face : mesh.faces) {
-    const Point& p = mesh.vertices[face[0]];
-    const Point normal = (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
+    const Point normal = area_vector(mesh, face);
     for (int v : face) normals[v] += normal;
   }
   return normals;

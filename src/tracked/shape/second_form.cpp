@@ -3,23 +3,21 @@
 #include "tracked/shape/second_form.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <span>
 
-#include "geometry/cotangent_laplacian.h"
-#include "isomatch/error.h"
+#include "geometry/hat_gradients.h"
 #include "isomatch/mesh/topology.h"
+#include "tracked/shape/heat_flow.h"
 
 namespace isomatch::tracked {
 namespace {
 
-using Tensors = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+/// A tensor of each vertex.
+using Tensors = Eigen::MatrixXd;
 
 Point unit_normal(const Mesh& mesh, int face) {
-  const Face& f = mesh.faces[face];
-  const Point& a = mesh.vertices[f[0]];
-  return (mesh.vertices[f[1]] - a).cross(mesh.vertices[f[2]] - a).stableNormalized();
+  return area_vector(mesh, mesh.faces[face]).stableNormalized();
 }
 
 /// The bend across the edge of two faces, integrated over it, and shared by its ends.
@@ -54,19 +52,16 @@ std::vector<SecondForm> second_forms(const Mesh& mesh, double length) {
   Tensors forms = Tensors::Zero(mesh.num_vertices(), 6);
   for_each_edge(sorted_edge_sides(mesh),
                 [&](std::span<const EdgeSide> sides) { add_bend(mesh, sides, forms); });
-  const std::vector<double> areas = vertex_areas(mesh);
-  const Eigen::Map<const Eigen::VectorXd> area(areas.data(), std::ssize(areas));
-  Eigen::SparseMatrix<double> system = cotangent_laplacian(mesh) * (length * length);
-  for (int v = 0; v < mesh.num_vertices(); ++v) system.coeffRef(v, v) += areas[v];
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
-  if (solver.info() != Eigen::Success) throw SolverFailure("a surface cannot be smoothed");
+  HeatFlow flow(mesh);
+  flow.set_length(length);
   std::vector<SecondForm> result(mesh.vertices.size());
   // So many steps of the flow in all average over the square root of their number times `length`.
   int steps = 0;
   for (int scale = 0; scale < kSecondFormScales; ++scale) {
     for (; steps < 1 << scale; ++steps) {
-      if (steps > 0) forms = area.asDiagonal() * forms;
-      forms = solver.solve(forms);
+      // Bends are integrals from the start.
+      if (steps > 0) forms = flow.integrals(forms);
+      forms = flow.step(forms);
     }
     for (int v = 0; v < mesh.num_vertices(); ++v)
       result[v][scale] = forms.row(v).transpose().cast<float>();
