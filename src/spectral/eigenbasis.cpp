@@ -55,11 +55,11 @@ Eigenbasis eigenbasis(const Mesh& mesh, int count, const Context& context) {
   Inverse inverse(matrix, context);
   const int n = mesh.num_vertices();
   count = std::min(count, n - 1);
-  // So many vectors at once that one restart is enough: fewest products of all.
-  Spectra::SymEigsSolver<Inverse> solver(inverse, count, std::min(n, 7 * count / 4 + 20));
+  // With fewer vectors at once some of the equal eigenvalues of spheres and cubes are missed.
+  Spectra::SymEigsSolver<Inverse> solver(inverse, count, std::min(n, 2 * count + 20));
   solver.init();
   constexpr int kMaxRestarts = 200;
-  constexpr float kTolerance = 1e-3F;  // Of an eigenvalue; its error is the square of that.
+  constexpr float kTolerance = 1e-5F;
   solver.compute(Spectra::SortRule::LargestMagn, kMaxRestarts, kTolerance);
   if (solver.info() != Spectra::CompInfo::Successful)
     throw SolverFailure("the eigenfunctions of a surface do not converge");
