@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "isomatch/error.h"
+#include "parallel.h"
 
 namespace isomatch::elastic {
 namespace {
@@ -76,7 +77,7 @@ Deformation::Deformation(const Deformation& other) : Deformation(other.rest_, ot
   rotations_ = other.rotations_;
 }
 
-void Deformation::fit_rotations(double smoothness) {
+void Deformation::fit_rotations(double smoothness, const Context& context) {
   std::vector<Eigen::Matrix3d> before(rotations_.size());
   double edge = 0;
   int count = 0;
@@ -85,14 +86,15 @@ void Deformation::fit_rotations(double smoothness) {
     for (int j : neighbours_[i]) edge += (rest_[i] - rest_[j]).squaredNorm(), ++count;
   }
   const double weight = smoothness * edge / count;
-  for (int i = 0; i < size(); ++i) {
+  parallel_for(size(), context, [&](std::ptrdiff_t k) {
+    const int i = static_cast<int>(k);
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (int j : neighbours_[i]) {
       covariance += (positions_[i] - positions_[j]) * (rest_[i] - rest_[j]).transpose();
       covariance += weight * before[j];
     }
     extract_rotation(covariance, rotations_[i]);
-  }
+  });
 }
 
 /// What the goals pull with, and what the rotations turn the edges to.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "elastic/rows.h"
+#include "isomatch/context.h"
 #include "isomatch/mesh/mesh.h"
 #include "isomatch/mesh/topology.h"
 
@@ -44,7 +45,7 @@ class Deformation {
 
   /// The rotations that fit the positions best. `smoothness` weighs agreement with the rotations of
   /// the neighbours, 0 for none.
-  void fit_rotations(double smoothness);
+  void fit_rotations(double smoothness, const Context& context);
   /// Positions that minimise `stiffness` times the elastic energy plus the squared distances to
   /// `goals`, for fixed rotations. Every component of the graph needs a weight. Conjugate gradients
   /// from the present positions, preconditioned by the solution with goals of no direction.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "parallel.h"
+
 namespace isomatch::elastic {
 namespace {
 
@@ -13,12 +15,13 @@ class Registrar {
  public:
   Registrar(const PointCloud& cloud, Deformation& deformation, const Projection& surface,
             std::span<const Point> anchors, const RegistrationOptions& options,
-            std::span<const Pin> pins)
+            std::span<const Pin> pins, const Context& context)
       : cloud_(cloud),
         deformation_(deformation),
         surface_(surface),
         options_(options),
         pins_(pins),
+        context_(context),
         goals_(anchors.size()),
         feet_(anchors.size()) {
     for (std::size_t i = 0; i < anchors.size(); ++i) goals_[i].anchor = anchors[i];
@@ -27,7 +30,7 @@ class Registrar {
 
   void run() {
     for (int i = 0; i < options_.initial_rotations; ++i)
-      deformation_.fit_rotations(options_.rotation_smoothness);
+      deformation_.fit_rotations(options_.rotation_smoothness, context_);
     const int steps = options_.anchor_steps + options_.surface_steps;
     for (int step = 0; step < steps; ++step) {
       const double progress = static_cast<double>(step) / std::max(1, steps - 1);
@@ -56,9 +59,11 @@ class Registrar {
   Point normal(int i) const { return deformation_.rotations()[i] * cloud_.normals[i]; }
 
   void project() {
-    for (int i = 0; i < deformation_.size(); ++i)
+    parallel_for(deformation_.size(), context_, [&](std::ptrdiff_t k) {
+      const int i = static_cast<int>(k);
       feet_[i] =
           surface_(deformation_.positions()[i], normal(i), cloud_.features[i], feet_[i].point);
+    });
   }
 
   void advance(bool to_surface, double length) {
@@ -71,7 +76,7 @@ class Registrar {
     if (!cloud_.inside.empty()) release_outside();
     hold_pins();
     deformation_.fit_positions(goals_, length * length);
-    deformation_.fit_rotations(options_.rotation_smoothness);
+    deformation_.fit_rotations(options_.rotation_smoothness, context_);
   }
 
   void aim_at_feet(double reach) {
@@ -117,6 +122,7 @@ class Registrar {
   const Projection& surface_;
   const RegistrationOptions& options_;
   std::span<const Pin> pins_;
+  const Context& context_;
   std::vector<Goal> goals_;
   std::vector<Foot> feet_;
 };
@@ -125,8 +131,9 @@ class Registrar {
 
 Registration register_onto(const PointCloud& cloud, Deformation& deformation,
                            const Projection& surface, std::span<const Point> anchors,
-                           const RegistrationOptions& options, std::span<const Pin> pins) {
-  Registrar registrar(cloud, deformation, surface, anchors, options, pins);
+                           const RegistrationOptions& options, std::span<const Pin> pins,
+                           const Context& context) {
+  Registrar registrar(cloud, deformation, surface, anchors, options, pins, context);
   registrar.run();
   return registrar.result();
 }

@@ -60,9 +60,11 @@ struct Pin {
   Point position;
 };
 
-/// Deforms a cloud onto a surface, beginning at `anchors`.
+/// Deforms a cloud onto a surface, beginning at `anchors`. The threads of `context` help where a
+/// single cloud is registered at a time.
 Registration register_onto(const PointCloud& cloud, Deformation& deformation,
                            const Projection& surface, std::span<const Point> anchors,
-                           const RegistrationOptions& options, std::span<const Pin> pins = {});
+                           const RegistrationOptions& options, std::span<const Pin> pins,
+                           const Context& context);
 
 }  // namespace isomatch::elastic

@@ -31,14 +31,13 @@ Eigen::MatrixXf functional_map(const Samples& source, const Samples& target,
 }  // namespace
 
 std::vector<int> refine(const Samples& source, const Samples& target, const Eigenbasis& basis,
-                        const TwoWayMap& map, const Samples& wanted, int size) {
+                        const TwoWayMap& map, const Samples& wanted, int size,
+                        const Context& context) {
   size = std::min(
       {size, static_cast<int>(wanted.functions.cols()), static_cast<int>(basis.functions.cols())});
   const Eigen::MatrixXf c = functional_map(source, target, basis, map, size);
-  Context alone;
-  alone.threads = 1;
   return nearest_rows(wanted.functions.leftCols(size),
-                      basis.functions.leftCols(size) * c.transpose(), alone);
+                      basis.functions.leftCols(size) * c.transpose(), context);
 }
 
 }  // namespace isomatch::spectral

@@ -23,8 +23,9 @@ struct TwoWayMap {
 /// One step of ZoomOut (Melzi et al. 2019), symmetric in the shapes: from a map of the samples
 /// `source` and `target` to a functional map between the first `size` eigenfunctions, the mean of
 /// those of both directions, and back to vertices of `basis`, one for each of the samples `wanted`
-/// of the source. On one thread, since several maps are refined at a time. O(samples * N * size).
+/// of the source. O(samples * N * size).
 std::vector<int> refine(const Samples& source, const Samples& target, const Eigenbasis& basis,
-                        const TwoWayMap& map, const Samples& wanted, int size);
+                        const TwoWayMap& map, const Samples& wanted, int size,
+                        const Context& context);
 
 }  // namespace isomatch::spectral

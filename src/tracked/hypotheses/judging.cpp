@@ -53,8 +53,10 @@ double energy(const Pyramid& source, const Pyramid& target, const Hypothesis& hy
                                                : selected(target.proxy.mesh.vertices, vertices);
   cloud.inside = covered_nodes(hypothesis, source, target, source.coarse.size(), options);
   if (options.parts) carry_outside(cloud, anchors);
+  const Context alone{
+      .threads = 1, .progress = {}, .stop = {}};  // Many hypotheses are judged at a time.
   const elastic::Registration registration =
-      register_onto(cloud, deformation, surface, anchors, options.judging);
+      register_onto(cloud, deformation, surface, anchors, options.judging, {}, alone);
   if (!options.parts) return registration.energy;
   const std::vector<bool> inside =
       inside_after(cloud, deformation.neighbours(), registration, options);

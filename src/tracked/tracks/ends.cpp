@@ -110,6 +110,7 @@ elastic::PointCloud cloud_of(const elastic::PointCloud& cloud, const std::vector
 /// part in the turn is held.
 Fit fit(const Track& track, const End& end, double angle, const Proxy& target,
         const elastic::Projection& surface, const TurningOptions& options) {
+  const Context alone{.threads = 1, .progress = {}, .stop = {}};  // It is small.
   const elastic::PointCloud cloud = cloud_of(track.cloud, end.nodes);
   std::vector<Point> anchors;
   std::vector<elastic::Pin> pins;
@@ -128,7 +129,7 @@ Fit fit(const Track& track, const End& end, double angle, const Proxy& target,
   elastic::Deformation deformation(cloud.positions,
                                    neighbours_among(end.nodes, track.source->graph.neighbours));
   const elastic::Registration registration =
-      register_onto(cloud, deformation, surface, anchors, options.registration, pins);
+      register_onto(cloud, deformation, surface, anchors, options.registration, pins, alone);
   return {registration.energy * registration.distance,
           nearest_vertices(target.mesh, registration.feet)};
 }

@@ -177,7 +177,8 @@ Part part_of_proxy(const Proxy& proxy, const Level& level, const std::vector<boo
 }
 
 std::vector<int> refine_on_overlap(const Overlap& overlap, const Proxy& source, const Proxy& target,
-                                   const NodeMap& map, const Level& wanted, int size) {
+                                   const NodeMap& map, const Level& wanted, int size,
+                                   const Context& context) {
   PartSamples from = samples_of(overlap.source, source, map.source);
   PartSamples onto = samples_of(overlap.target, target, map.target);
   std::vector<int> forth(from.node.size(), 0), back(onto.node.size(), 0);
@@ -198,7 +199,7 @@ std::vector<int> refine_on_overlap(const Overlap& overlap, const Proxy& source, 
   const PartSamples goal = samples_of(overlap.source, source, wanted);
   const std::vector<int> rows =
       spectral::refine(from.samples, onto.samples, overlap.target.basis,
-                       {std::move(forth), std::move(back)}, goal.samples, size);
+                       {std::move(forth), std::move(back)}, goal.samples, size, context);
   std::vector<int> vertices(wanted.size(), kNoVertex);
   for (std::size_t k = 0; k < rows.size(); ++k)
     vertices[goal.node[k]] = overlap.target.vertex[rows[k]];

@@ -77,6 +77,7 @@ struct NodeMap {
 /// `spectral::refine` on the parts alone. For the nodes of `wanted` vertices of the target's proxy;
 /// `kNoVertex` for those that are not in the part.
 std::vector<int> refine_on_overlap(const Overlap& overlap, const Proxy& source, const Proxy& target,
-                                   const NodeMap& map, const Level& wanted, int size);
+                                   const NodeMap& map, const Level& wanted, int size,
+                                   const Context& context);
 
 }  // namespace isomatch::tracked

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "parallel.h"
 #include "tracked/hypotheses/densify.h"
 #include "tracked/tracks/deformed_surface.h"
 #include "tracked/tracks/ends.h"
@@ -250,7 +251,8 @@ std::vector<int> Refinement::spectral_step(Track& track, const Level& wanted, in
   }
   if (options_.parts) return overlap_step(track, wanted, round);
   return refine(track.source->samples, track.target->samples, target_.basis,
-                {track.vertices, nearest_nodes(track)}, wanted.samples, basis_size(round));
+                {track.vertices, nearest_nodes(track)}, wanted.samples, basis_size(round),
+                context_);
 }
 
 /// Nodes of a level as they move along with those of the track.
@@ -290,7 +292,8 @@ std::vector<int> Refinement::overlap_step(Track& track, const Level& wanted, int
                               static_cast<int>(std::lround(basis_size(round) * overlap.area)));
     vertices = refine_on_overlap(
         overlap, source, target_.proxy,
-        {*track.source, *track.target, track.cloud.inside, track.vertices, nearest}, wanted, size);
+        {*track.source, *track.target, track.cloud.inside, track.vertices, nearest}, wanted, size,
+        context_);
   }
   for (int i = 0; i < wanted.size(); ++i)
     if (vertices[i] == kNoVertex)
@@ -348,9 +351,10 @@ std::vector<int> Refinement::nearest_nodes(const Track& track) const {
                                              : is_fine(track) ? options_.fine_projection
                                                               : options_.middle_projection);
   const elastic::PointCloud& target = track.target->graph.cloud;
-  std::vector<int> nearest;
-  for (int i = 0; i < track.target->size(); ++i)
-    nearest.push_back(nearest_source(target.positions[i], target.normals[i], target.features[i]));
+  std::vector<int> nearest(track.target->size());
+  parallel_for(std::ssize(nearest), context_, [&](std::ptrdiff_t i) {
+    nearest[i] = nearest_source(target.positions[i], target.normals[i], target.features[i]);
+  });
   return nearest;
 }
 
@@ -378,7 +382,8 @@ void Refinement::advance(Track& track, const elastic::Projection& onto,
   context_.check_stop();
   track.registration = register_onto(
       track.cloud, track.deformation, onto, anchors, step,
-      landmark_pins(*track.judged.source, target_, track.deformation, options_.landmarks));
+      landmark_pins(*track.judged.source, target_, track.deformation, options_.landmarks),
+      context_);
   track.placed = true;
   if (options_.parts) look_at_overlap(track);
   track.vertices = nearest_vertices(target_.proxy.mesh, track.registration.feet);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/interpolation.h"
+#include "parallel.h"
 #include "tracked/tracks/deformed_surface.h"
 #include "tracked/tracks/sliding.h"
 
@@ -94,9 +95,13 @@ void settle_with_reverse(Track& track, const Refinement& refinement, const Pyram
   const Proxy& source = track.judged.source->proxy;
   const elastic::ProjectionWeights& weights =
       options.last_projection(track.judged.hypothesis.pose.has_value());
-  const SurfaceMap there =
-      images(track, target.proxy, projection_onto(target.proxy, weights), options);
-  const SurfaceMap back = images(reverse, source, projection_onto(source, weights), options);
+  SurfaceMap there, back;
+  parallel_for(2, context, [&](std::ptrdiff_t direction) {
+    if (direction == 0)
+      there = images(track, target.proxy, projection_onto(target.proxy, weights), options);
+    else
+      back = images(reverse, source, projection_onto(source, weights), options);
+  });
   std::vector<Point> anchors = places_below(*track.source, source, target.proxy, back, weights);
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     if (!track.cloud.is_inside(static_cast<int>(i))) {

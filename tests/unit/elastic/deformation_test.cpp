@@ -69,7 +69,7 @@ struct RigidMotion {
 class DeformationTest : public testing::TestWithParam<double> {
  protected:
   void fit(Deformation& deformation) const {
-    for (int i = 0; i < 30; ++i) deformation.fit_rotations(GetParam());
+    for (int i = 0; i < 30; ++i) deformation.fit_rotations(GetParam(), {});
   }
 
   const Mesh mesh_ = test::rough_sphere(2, 0.2, 1);
@@ -98,7 +98,7 @@ TEST_P(DeformationTest, FindsARigidMotionFromTheRestPose) {
   Deformation deformation = deformation_of(mesh_);
   for (int step = 0; step < 100; ++step) {
     deformation.fit_positions(anchors_at(moved, 1), 0.1);
-    deformation.fit_rotations(GetParam());
+    deformation.fit_rotations(GetParam(), {});
   }
   EXPECT_LT(largest_distance(deformation.positions(), moved), 1e-3);
   EXPECT_LT(total(deformation.energies()), 1e-5);
@@ -160,7 +160,7 @@ TEST(Deformation, PositionsMinimiseEnergyAndDistances) {
                 random.uniform(), mesh.vertices[i] + 0.5 * random.direction(), random.uniform()};
   Deformation deformation = deformation_of(mesh);
   deformation.fit_positions(goals, 0.5);
-  deformation.fit_rotations(0);
+  deformation.fit_rotations(0, {});
   // Of two calls the second begins where the first ended, so it has nothing left to do.
   for (int i = 0; i < 4; ++i) deformation.fit_positions(goals, 0.5);
   const std::vector<Point> best = deformation.positions();
@@ -208,7 +208,7 @@ TEST(Deformation, OfATriangleAndOfUnconnectedPoints) {
     Deformation deformation(rest, neighbours);
     for (int i = 0; i < 50; ++i) {
       deformation.fit_positions(anchors_at(goals, 1), 0.1);
-      deformation.fit_rotations(0.5);
+      deformation.fit_rotations(0.5, {});
     }
     EXPECT_LT(largest_distance(deformation.positions(), goals), 1e-3);
   }

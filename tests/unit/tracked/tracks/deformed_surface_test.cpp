@@ -43,7 +43,7 @@ TEST(DeformedSurface, CarriesARigidMotionExactly) {
     std::vector<Point> moved = deformation.rest();
     for (Point& p : moved) p = rotation * p + shift;
     deformation.set_positions(moved);
-    for (int i = 0; i < 50; ++i) deformation.fit_rotations(0);
+    for (int i = 0; i < 50; ++i) deformation.fit_rotations(0, {});
     const DeformedSurface result = carried(pyramid, deformation);
     ASSERT_EQ(result.positions.size(), pyramid.surface->mesh.num_vertices());
     for (int v = 0; v < pyramid.surface->mesh.num_vertices(); ++v) {
@@ -60,7 +60,7 @@ TEST(DeformedSurface, OfAProxyIsThatOfItsVertices) {
   std::vector<Point> bent = deformation.rest();
   for (Point& p : bent) p = Point(p.x() + 0.3 * p.y() * p.y(), p.y(), p.z());
   deformation.set_positions(bent);
-  for (int i = 0; i < 20; ++i) deformation.fit_rotations(0);
+  for (int i = 0; i < 20; ++i) deformation.fit_rotations(0, {});
   const auto nodes = node_graph(pyramid.proxy, deformation.size()).cloud;
   const DeformedSurface result = deformed_surface(pyramid.proxy, deformation, nodes);
   ASSERT_EQ(result.positions.size(), pyramid.proxy.num_vertices());
@@ -93,7 +93,7 @@ TEST(DeformedSurface, FollowsASmoothBend) {
   std::vector<Point> positions = deformation.rest();
   for (Point& p : positions) p = rolled(p);
   deformation.set_positions(positions);
-  for (int i = 0; i < 50; ++i) deformation.fit_rotations(0);
+  for (int i = 0; i < 50; ++i) deformation.fit_rotations(0, {});
   const DeformedSurface result = carried(pyramid, deformation);
   for (int v = 0; v < pyramid.surface->mesh.num_vertices(); ++v)
     EXPECT_LT((result.positions[v] - rolled(pyramid.surface->mesh.vertices[v])).norm(), 0.01);

@@ -216,7 +216,7 @@ TEST(Overlap, IsRefinedOntoItself) {
   const Overlap overlap{part_of_proxy(whole.proxy, level, inside, 20, {}),
                         part_of_proxy(whole.proxy, level, inside, 20, {})};
   const std::vector<int> refined = refine_on_overlap(
-      overlap, whole.proxy, whole.proxy, {level, level, inside, vertices, nearest}, level, 15);
+      overlap, whole.proxy, whole.proxy, {level, level, inside, vertices, nearest}, level, 15, {});
   ASSERT_EQ(std::ssize(refined), level.size());
   int matched = 0;
   double sum = 0;
