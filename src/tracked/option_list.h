@@ -168,6 +168,16 @@ void for_each_number(TurningOptions& t, const std::string& at, const Visitor& vi
 }
 
 template <class Visitor>
+void for_each_number(UnfoldingOptions& u, const std::string& at, const Visitor& visit) {
+  visit(at + ".rounds", u.rounds);
+  visit(at + ".sweeps", u.sweeps);
+  visit(at + ".pull", u.pull);
+  visit(at + ".drift_price", u.drift_price);
+  visit(at + ".uncovered_price", u.uncovered_price);
+  visit(at + ".covered", u.covered);
+}
+
+template <class Visitor>
 void for_each_number(Options& options, const Visitor& visit) {
   for_each_number(options.pyramid, "pyramid", visit);
   for_each_number(options.contacts, "contacts", visit);
@@ -202,6 +212,7 @@ void for_each_number(Options& options, const Visitor& visit) {
   visit("sliding.stiffness", options.sliding.stiffness);
   visit("sliding.longest", options.sliding.longest);
   for_each_number(options.settling, "settling", visit);
+  for_each_number(options.unfolding, "unfolding", visit);
 }
 
 }  // namespace isomatch::tracked

@@ -178,15 +178,18 @@ TrackedMap tracked_map(const Shape& source, const Shape& target, const Track& tr
   const Surface& onto = *target.prepared().surface();
   // A mirror image has its faces turned the other way.
   const Surface& tracked = *track.judged.source->surface;
-  for (Point& p : dense.registered) p = p * unit + onto.centre;
-  std::vector<Point> registered = at_input(source.mesh(), from, dense.registered);
+  const auto at_target = [&](std::vector<Point> positions) {
+    for (Point& p : positions) p = p * unit + onto.centre;
+    return at_input(source.mesh(), from, positions);
+  };
   SurfaceMap source_to_target = to_input(from, onto, dense.source_to_target);
-  match_followers(source.mesh(), from, onto, registered, reach * unit, source_to_target);
+  match_followers(source.mesh(), from, onto, at_target(std::move(dense.registered)), reach * unit,
+                  source_to_target);
   return {.source_to_target = std::move(source_to_target),
           .target_to_source = to_input(onto, tracked, dense.target_to_source),
           .source_confidence = at_input(from, dense.source_confidence, 0.0F),
           .target_confidence = at_input(onto, dense.target_confidence, 0.0F),
-          .registered = std::move(registered),
+          .registered = at_target(std::move(dense.unfolded)),
           .energy = track.registration.energy + track.energy_left_out,
           .distance = track.registration.distance + track.distance_left_out,
           .deviation = track.registration.deviation,

@@ -11,6 +11,7 @@
 #include "geometry/walk.h"
 #include "parallel.h"
 #include "tracked/tracks/deformed_surface.h"
+#include "tracked/tracks/unfolding.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -134,6 +135,7 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
                project(onto, from, weights, options, context),
                {},
                {},
+               {},
                {}};
   map.source_confidence = confidence(from, onto, map.source_to_target, track);
   map.target_confidence = confidence(onto, from, map.target_to_source, track);
@@ -141,6 +143,11 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
   for (const Match& match : *options.landmarks)
     (*map.source_to_target)[match.source] =
         closest_point_around(goal.mesh, goal.faces, match.target, goal.mesh.vertices[match.target]);
+  std::vector<int> landed;
+  for (const Match& match : *options.landmarks) landed.push_back(match.source);
+  map.unfolded =
+      unfolded(*source.surface, map.registered, goal,
+               {*map.source_to_target, *map.target_to_source}, landed, options.unfolding);
   return map;
 }
 

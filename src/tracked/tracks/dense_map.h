@@ -12,8 +12,8 @@ struct DenseMap {
   SurfacePoints source_to_target, target_to_source;
   /// Of the vertices of both surfaces, 0 where they have no counterpart.
   std::vector<float> source_confidence, target_confidence;
-  /// The source's vertices after registration.
-  std::vector<Point> registered;
+  /// The source's vertices after registration, and after folds were smoothed.
+  std::vector<Point> registered, unfolded;
 };
 
 /// Carries a track over to all vertices of both surfaces. O(N log N).

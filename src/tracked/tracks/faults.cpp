@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "tracked/tracks/faults.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "geometry/face_orientation.h"
+#include "isomatch/mesh/topology.h"
+
+namespace isomatch::tracked {
+
+Point scaled_normal(const std::vector<Point>& positions, const Face& face) {
+  const auto& [a, b, c] = face;
+  return (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+}
+
+Faults::Faults(const Mesh& rest) : rest_(rest) {
+  for (const Face& face : rest.faces) {
+    areas_.push_back(scaled_normal(rest.vertices, face).norm());
+    total_ += areas_.back();
+  }
+  for_each_edge(sorted_edge_sides(rest), [&](std::span<const EdgeSide> edge) {
+    if (edge.size() != 2) return;
+    const Hinge hinge{edge[0].face, edge[1].face, is_inconsistent(rest, edge) ? -1.0 : 1.0};
+    const Point normal = scaled_normal(rest.vertices, rest.faces[hinge.f]);
+    if (hinge.sign * normal.dot(scaled_normal(rest.vertices, rest.faces[hinge.g])) > 0)
+      hinges_.push_back(hinge);
+  });
+}
+
+std::vector<double> Faults::operator()(const std::vector<Point>& positions) const {
+  // Margins over a right angle and over a tenth of the area, so that no rounding of coordinates
+  // undoes what was mended.
+  constexpr double kLeastCosine = 0.02, kLeastArea = 0.13;
+  constexpr double kAny = 0.2;  // That a face is sound is worth as much as a turn by 12 degrees.
+  std::vector<Point> normals;
+  std::vector<double> areas, faults(areas_.size(), 0.0);
+  double total = 0;
+  for (const Face& face : rest_.faces) {
+    normals.push_back(scaled_normal(positions, face));
+    areas.push_back(normals.back().norm());
+    total += areas.back();
+  }
+  for (const auto& [f, g, sign] : hinges_) {
+    const double size = areas[f] * areas[g] + std::numeric_limits<double>::min();
+    const double depth = kLeastCosine - sign * normals[f].dot(normals[g]) / size;
+    if (depth <= 0) continue;
+    faults[f] = std::max(faults[f], kAny + depth);
+    faults[g] = std::max(faults[g], kAny + depth);
+  }
+  for (std::size_t f = 0; f < areas.size(); ++f) {
+    const double least = kLeastArea * total * areas_[f] / total_;
+    if (areas[f] < least) faults[f] = std::max(faults[f], kAny + 1 - areas[f] / least);
+  }
+  return faults;
+}
+
+}  // namespace isomatch::tracked

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <vector>
+
+#include "isomatch/mesh/mesh.h"
+
+namespace isomatch::tracked {
+
+/// Twice the area times the unit normal.
+Point scaled_normal(const std::vector<Point>& positions, const Face& face);
+
+/// Tells which faces of a mesh are folded or squeezed after its vertices have moved, as
+/// `measure_registered` does, with a margin. Keeps a reference to the mesh at rest.
+class Faults {
+ public:
+  explicit Faults(const Mesh& rest);
+
+  /// Of each face how bad it is; zero if it is sound.
+  std::vector<double> operator()(const std::vector<Point>& positions) const;
+
+ private:
+  /// Two faces across an edge, which do not face opposite ways at rest; the sign is -1 if their
+  /// corners run in opposite directions.
+  struct Hinge {
+    int f, g;
+    double sign;
+  };
+  const Mesh& rest_;
+  std::vector<double> areas_;
+  double total_ = 0;
+  std::vector<Hinge> hinges_;
+};
+
+}  // namespace isomatch::tracked
