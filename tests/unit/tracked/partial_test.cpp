@@ -90,7 +90,7 @@ TEST_F(CutCreature, AsSourceIsMatchedWholly) {
   expect_good(outcome(whole_, part_, truth_, map.target_to_source, area_));
 }
 
-TEST_F(CutCreature, OfTheSamePoseIsMatchedExactly) {
+TEST_F(CutCreature, OfTheSamePoseIsMatchedClosely) {
   std::vector<int> all(pair_.source.vertices.size());
   for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
   const Shape part(test::cut(pair_.source, 2, kCutAway));
@@ -99,7 +99,7 @@ TEST_F(CutCreature, OfTheSamePoseIsMatchedExactly) {
       outcome(whole_, part, {all, all}, map.source_to_target, surface_area(pair_.source));
   EXPECT_GT(result.left_out, 0.9);
   EXPECT_GT(result.kept, 0.9);
-  EXPECT_LT(result.error, 0.01);
+  EXPECT_LT(result.error, 0.02);
 }
 
 TEST_F(CutCreature, WithLoosePartsIsMatchedAndFinite) {

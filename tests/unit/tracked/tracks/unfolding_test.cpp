@@ -69,9 +69,8 @@ TEST(Unfolding, PutsAVertexThatWasPushedThroughBack) {
 TEST(Unfolding, MovesNothingFarAway) {
   const Sphere sphere;
   const std::vector<Point> pushed = sphere.pushed(700), mended = sphere.unfolded(pushed);
-  for (std::size_t v = 0; v < pushed.size(); ++v) {
-    if ((pushed[v] - pushed[700]).norm() > 0.2) EXPECT_EQ(mended[v], pushed[v]);
-  }
+  for (std::size_t v = 0; v < pushed.size(); ++v)
+    EXPECT_TRUE((pushed[v] - pushed[700]).norm() <= 0.2 || mended[v] == pushed[v]) << v;
 }
 
 TEST(Unfolding, KeepsVerticesInPlace) {
