@@ -257,6 +257,22 @@ TEST(Geodesics, FieldsAreRowsInTheOrderOfTheSources) {
   EXPECT_EQ(std::vector(fields.begin() + n, fields.end()), field(graph, 2));
 }
 
+/// From many sources fields are computed in bundles.
+TEST(Geodesics, FieldsFromManySourcesAreThoseFromEach) {
+  for (const auto& [name, mesh] : test::mesh_zoo()) {
+    SCOPED_TRACE(name);
+    const GeodesicGraph graph(mesh);
+    const auto n = static_cast<std::size_t>(graph.num_vertices());
+    std::vector<int> sources;
+    for (std::size_t i = 0; i < 50; ++i) sources.push_back(static_cast<int>(i * 37 % n));
+    const std::vector<float> fields = geodesic_fields(graph, sources);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const auto row = fields.begin() + static_cast<std::ptrdiff_t>(i * n);
+      ASSERT_EQ(std::vector(row, row + static_cast<std::ptrdiff_t>(n)), field(graph, sources[i]));
+    }
+  }
+}
+
 TEST(Geodesics, EveryMeshOfTheZooIsMeasured) {
   for (const auto& [name, mesh] : test::mesh_zoo()) {
     SCOPED_TRACE(name);
