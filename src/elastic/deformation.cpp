@@ -127,16 +127,23 @@ Rows Deformation::gradient(std::span<const Goal> goals, double stiffness, const 
 /// Factorises the system as if goals had no direction, unless the last one is much the same.
 void Deformation::precondition(std::span<const Goal> goals, double stiffness) {
   constexpr double kSame = 0.1;  // Then a few more iterations take less time than factors.
-  const auto weight = [](const Goal& goal) { return goal.weight / 3 + goal.anchor_weight; };
-  double pull = 0;
-  for (const Goal& goal : goals) pull += weight(goal);
-  if (stiffness == factorised_stiffness_ && std::abs(pull / factorised_pull_ - 1) < kSame) return;
+  std::vector<double> weights;
+  for (const Goal& goal : goals) weights.push_back(goal.weight / 3 + goal.anchor_weight);
+  if (stiffness == factorised_stiffness_ && !factorised_weights_.empty()) {
+    double change = 0, sum = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      change += std::abs(weights[i] - factorised_weights_[i]);
+      sum += weights[i];
+    }
+    if (change < kSame * sum) return;
+  }
+  factorised_weights_.clear();
   Eigen::SparseMatrix<double> isotropic = system_ * stiffness;
-  for (int i = 0; i < size(); ++i) isotropic.coeffRef(i, i) += weight(goals[i]);
+  for (int i = 0; i < size(); ++i) isotropic.coeffRef(i, i) += weights[i];
   solver_->factorize(isotropic);
   if (solver_->info() != Eigen::Success) throw SolverFailure("an elastic system is singular");
   factorised_stiffness_ = stiffness;
-  factorised_pull_ = pull;
+  factorised_weights_ = std::move(weights);
 }
 
 void Deformation::fit_positions(std::span<const Goal> goals, double stiffness) {

@@ -48,7 +48,8 @@ class Deformation {
   void fit_rotations(double smoothness, const Context& context);
   /// Positions that minimise `stiffness` times the elastic energy plus the squared distances to
   /// `goals`, for fixed rotations. Every component of the graph needs a weight. Conjugate gradients
-  /// from the present positions, preconditioned by the solution with goals of no direction.
+  /// from the present positions, preconditioned by the solution with goals of no direction, or with
+  /// goals much like these.
   void fit_positions(std::span<const Goal> goals, double stiffness);
   /// Elastic energy at each point, an integrand over the surface with stiffness 1.
   std::vector<double> energies() const;
@@ -63,8 +64,9 @@ class Deformation {
   IndexLists neighbours_;
   Eigen::SparseMatrix<double> system_;
   std::unique_ptr<Factors> solver_;
-  /// What the factors are for; nothing yet.
-  double factorised_stiffness_ = 0, factorised_pull_ = 1;
+  /// What the factors are for; no weights if there are none yet.
+  double factorised_stiffness_ = 0;
+  std::vector<double> factorised_weights_;
 };
 
 }  // namespace isomatch::elastic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "geodesics/bundle.h"
@@ -13,7 +14,7 @@ namespace {
 /// Arcs to relax below which waking other threads costs more than it saves; about 2 ms.
 constexpr std::size_t kParallelWork = 500'000;
 
-/// Fewer sources than this are not worth a bundle.
+/// Fewer sources than this for each thread are not worth a bundle.
 constexpr std::ptrdiff_t kFewSources = FieldBundle::kSources / 2;
 
 /// Places in a list of sources, the first of which the others are close to.
@@ -23,12 +24,15 @@ using Group = std::vector<int>;
 /// are those from it.
 Group nearest_group(std::span<const int> sources, std::span<const float> distances,
                     std::vector<int>& left) {
-  const auto nearest =
+  auto nearest =
       left.begin() + std::min<std::ptrdiff_t>(std::ssize(left), 1 + FieldBundle::kSources);
   std::ranges::partial_sort(left, nearest, [&](int a, int b) {
     const float x = distances[sources[a]], y = distances[sources[b]];
     return x != y ? x < y : a < b;
   });
+  // Not from another component, on whose vertices these distances tell no order.
+  nearest = std::find_if(left.begin() + 1, nearest,
+                         [&](int place) { return std::isinf(distances[sources[place]]); });
   Group group(left.begin(), nearest);
   left.erase(left.begin(), nearest);
   std::ranges::sort(left);
@@ -44,7 +48,7 @@ std::vector<float> geodesic_fields(const GeodesicGraph& graph, std::span<const i
   const auto field = [&](int place) { return std::span(fields.data() + place * n, n); };
   const bool little = sources.size() * graph.num_arcs() <= kParallelWork;
   const Context used{.threads = little ? 1 : context.threads, .progress = {}, .stop = context.stop};
-  if (std::ssize(sources) < kFewSources) {
+  if (std::ssize(sources) < kFewSources * used.threads) {
     parallel_for(
         std::ssize(sources), used, [&] { return GeodesicSearch(graph); },
         [&](GeodesicSearch& search, std::ptrdiff_t i) {

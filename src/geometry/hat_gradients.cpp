@@ -6,13 +6,12 @@
 
 namespace isomatch {
 
-Point area_vector(const Mesh& mesh, const Face& face) {
-  const Point& p = mesh.vertices[face[0]];
-  return (mesh.vertices[face[1]] - p).cross(mesh.vertices[face[2]] - p);
+Point area_vector(const std::vector<Point>& positions, const Face& face) {
+  return (positions[face[1]] - positions[face[0]]).cross(positions[face[2]] - positions[face[0]]);
 }
 
 std::array<Point, 3> hat_gradients(const Mesh& mesh, const Face& face) {
-  const Point normal = area_vector(mesh, face).normalized();
+  const Point normal = area_vector(mesh.vertices, face).normalized();
   std::array<Point, 3> gradients;
   for (int k = 0; k < 3; ++k) {
     const Point edge = mesh.vertices[face[(k + 2) % 3]] - mesh.vertices[face[(k + 1) % 3]];

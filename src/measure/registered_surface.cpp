@@ -41,7 +41,8 @@ double folded_share(const Mesh& source, const Mesh& registered, const std::vecto
     const int f = edge[0].face, g = edge[1].face;
     const double sign = is_inconsistent(source, edge) ? -1 : 1;
     const auto cosine = [&](const Mesh& mesh) {
-      return sign * area_vector(mesh, mesh.faces[f]).dot(area_vector(mesh, mesh.faces[g]));
+      return sign * area_vector(mesh.vertices, mesh.faces[f])
+                        .dot(area_vector(mesh.vertices, mesh.faces[g]));
     };
     if (cosine(source) > 0 && cosine(registered) < 0) folded[f] = folded[g] = true;
   });
@@ -61,19 +62,20 @@ double squeezed_share(const std::vector<double>& source, const std::vector<doubl
   for (std::size_t f = 0; f < source.size(); ++f) {
     if (source[f] == 0) continue;
     ++of;
-    if (registered[f] < limit * source[f]) ++count;
+    if (registered[f] <= limit * source[f]) ++count;
   }
   return of > 0 ? count / of : 0;
 }
 
 /// The share of a face that is within `distance` of a surface, judged by the middles of congruent
-/// pieces that are no longer than that.
+/// pieces that are no longer than that; of a needle, which would have many more, of fewer.
 double reached_share(const Mesh& mesh, int face, const FaceTree& surface, double distance) {
   const auto& [a, b, c] = mesh.faces[face];
   const Point& origin = mesh.vertices[a];
   const Point u = mesh.vertices[b] - origin, v = mesh.vertices[c] - origin;
   const double longest = std::max({u.norm(), v.norm(), (v - u).norm()});
-  const int n = std::max(1, static_cast<int>(std::ceil(longest / distance)));
+  constexpr double kMost = 500;
+  const int n = static_cast<int>(std::clamp(std::ceil(longest / distance), 1.0, kMost));
   int reached = 0;
   const auto look = [&](int i, int j, double middle) {
     const Point p = origin + (i + middle) / n * u + (j + middle) / n * v;

@@ -30,7 +30,7 @@ void validate_finite(const Mesh& mesh) {
 }
 
 double face_area(const Mesh& mesh, int face) {
-  return 0.5 * area_vector(mesh, mesh.faces[face]).norm();
+  return 0.5 * area_vector(mesh.vertices, mesh.faces[face]).norm();
 }
 
 double surface_area(const Mesh& mesh) {
@@ -51,7 +51,7 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
 std::vector<Point> weighted_vertex_normals(const Mesh& mesh) {
   std::vector<Point> normals(mesh.vertices.size(), Point::Zero());
   for (const Face& face : mesh.faces) {
-    const Point normal = area_vector(mesh, face);
+    const Point normal = area_vector(mesh.vertices, face);
     for (int v : face) normals[v] += normal;
   }
   return normals;

@@ -45,7 +45,7 @@ int nearest_row(const Eigen::VectorXf& first, const RowMatrix& rest,
 std::vector<int> nearest_rows(const Eigen::MatrixXf& queries, const Eigen::MatrixXf& points,
                               const Context& context) {
   constexpr int kBlock = 64;
-  // Functions of low frequency tell most: with a quarter of them one row in thirty is left.
+  // Functions of low frequency tell most: a quarter of them leaves few rows to look at.
   constexpr Eigen::Index kShare = 4;
   const Eigen::Index columns = std::min(points.cols(), points.cols() / kShare + 8);
   const SplitRows from(queries, columns), to(points, columns);

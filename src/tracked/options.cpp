@@ -23,7 +23,8 @@ bool must_be_positive(std::string_view name) {
         "roots",           "contacts.valley", "neighbours",     "relief_scales.0",
         "relief_scales.1", "relief_scales.2", "landmark_reach", "tolerable",
         "_points",         "_pair",           "_bin",           "close",
-        "stiffness",       "longest",         "ring",           "twisted"})
+        "stiffness",       "longest",         "held",           "ring",
+        "twisted"})
     if (name.ends_with(ending)) return true;
   return false;
 }

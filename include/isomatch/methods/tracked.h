@@ -51,8 +51,9 @@ struct TrackedMap {
   /// has a near twin may be sure and wrong all the same, see `TrackedResult::ambiguity`.
   std::vector<float> source_confidence, target_confidence;
   /// The source's vertices after registration, in the target's coordinates, those without a
-  /// counterpart as what is around them moves. Vertices that are not part of the surface follow the
-  /// nearest ones that are.
+  /// counterpart as what is around them moves. Where the surface was folded it is smoothed, which
+  /// moves some vertices off the points that the map has for them. Vertices that are not part of
+  /// the surface follow the nearest ones that are.
   std::vector<Point> registered;
   /// As-rigid-as-possible energy of the registration by which maps are ranked, before the last
   /// one; the less, the better. Of parts with the price of what is left out.

@@ -19,7 +19,7 @@ class HeatFlow {
 
   /// Values at the vertices (rows), integrated over their areas.
   Eigen::MatrixXd integrals(const Eigen::MatrixXd& values) const;
-  /// Values after a step from these integrals.
+  /// Values after a step from these integrals; after `set_length`.
   Eigen::MatrixXd step(const Eigen::MatrixXd& integrals) const { return solver_.solve(integrals); }
 
  private:

@@ -43,7 +43,8 @@ struct Proxy {
   FloatMatrix distances;
   /// Of the vertices from the boundary; infinite where nothing is missing.
   std::vector<float> to_boundary;
-  /// What `second_forms_of` has made: only proxies on which images slide need it. Copies share it.
+  /// What `second_forms_of` has made: only proxies on which images slide need it. Copies share it:
+  /// who changes the mesh of a copy gives it one of its own.
   std::shared_ptr<KeptForms> kept_forms = std::make_shared<KeptForms>();
 
   int num_vertices() const { return mesh.num_vertices(); }

@@ -17,7 +17,7 @@ namespace {
 using Tensors = Eigen::MatrixXd;
 
 Point unit_normal(const Mesh& mesh, int face) {
-  return area_vector(mesh, mesh.faces[face]).stableNormalized();
+  return area_vector(mesh.vertices, mesh.faces[face]).stableNormalized();
 }
 
 /// The bend across the edge of two faces, integrated over it, and shared by its ends.

@@ -147,7 +147,7 @@ DenseMap dense_map(const Track& track, const Pyramid& target, const Options& opt
   for (const Match& match : *options.landmarks) landed.push_back(match.source);
   map.unfolded =
       unfolded(*source.surface, map.registered, goal,
-               {*map.source_to_target, *map.target_to_source}, landed, options.unfolding);
+               {*map.source_to_target, *map.target_to_source}, landed, options.unfolding, context);
   return map;
 }
 

@@ -145,7 +145,7 @@ double part_of_half_turn(const Track& track, const End& end, const std::vector<i
     moved += (target.mesh.vertices[vertices[k]] - position).norm();
     turned += 2 * (position - end.centre).cross(end.axis).norm();
   }
-  return moved / turned;
+  return turned > 0 ? moved / turned : 0;
 }
 
 }  // namespace

@@ -7,25 +7,21 @@
 #include <span>
 
 #include "geometry/face_orientation.h"
+#include "geometry/hat_gradients.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch::tracked {
 
-Point scaled_normal(const std::vector<Point>& positions, const Face& face) {
-  const auto& [a, b, c] = face;
-  return (positions[b] - positions[a]).cross(positions[c] - positions[a]);
-}
-
 Faults::Faults(const Mesh& rest) : rest_(rest) {
   for (const Face& face : rest.faces) {
-    areas_.push_back(scaled_normal(rest.vertices, face).norm());
+    areas_.push_back(area_vector(rest.vertices, face).norm());
     total_ += areas_.back();
   }
   for_each_edge(sorted_edge_sides(rest), [&](std::span<const EdgeSide> edge) {
     if (edge.size() != 2) return;
     const Hinge hinge{edge[0].face, edge[1].face, is_inconsistent(rest, edge) ? -1.0 : 1.0};
-    const Point normal = scaled_normal(rest.vertices, rest.faces[hinge.f]);
-    if (hinge.sign * normal.dot(scaled_normal(rest.vertices, rest.faces[hinge.g])) > 0)
+    const Point normal = area_vector(rest.vertices, rest.faces[hinge.f]);
+    if (hinge.sign * normal.dot(area_vector(rest.vertices, rest.faces[hinge.g])) > 0)
       hinges_.push_back(hinge);
   });
 }
@@ -39,7 +35,7 @@ std::vector<double> Faults::operator()(const std::vector<Point>& positions) cons
   std::vector<double> areas, faults(areas_.size(), 0.0);
   double total = 0;
   for (const Face& face : rest_.faces) {
-    normals.push_back(scaled_normal(positions, face));
+    normals.push_back(area_vector(positions, face));
     areas.push_back(normals.back().norm());
     total += areas.back();
   }

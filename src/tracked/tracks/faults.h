@@ -8,9 +8,6 @@
 
 namespace isomatch::tracked {
 
-/// Twice the area times the unit normal.
-Point scaled_normal(const std::vector<Point>& positions, const Face& face);
-
 /// Tells which faces of a mesh are folded or squeezed after its vertices have moved, as
 /// `measure_registered` does, with a margin. Keeps a reference to the mesh at rest.
 class Faults {

@@ -11,6 +11,7 @@
 #include "tracked/tracks/deformed_surface.h"
 #include "tracked/tracks/ends.h"
 #include "tracked/tracks/mending.h"
+#include "tracked/tracks/untorn.h"
 
 namespace isomatch::tracked {
 namespace {
@@ -56,25 +57,6 @@ void place(Track& track, std::vector<Point> positions) {
 double price_of(const Judged& judged, const Options& options) {
   return (judged.source->view.mirrored ? options.mirror_price : 1) *
          (judged.hypothesis.pose ? options.hypotheses.poses.price : 1);
-}
-
-/// The places of a spectral step, but those of before where it tears a node away from the nodes
-/// around it: on limbs thinner than the eigenfunctions oscillate it cannot tell places apart.
-std::vector<int> untorn(const std::vector<int>& before, std::vector<int> after,
-                        const IndexLists& neighbours, const std::vector<Point>& positions,
-                        const Options& options) {
-  const auto spread = [&](const std::vector<int>& places, int i) {
-    double sum = 0;
-    for (int j : neighbours[i]) sum += (positions[places[i]] - positions[places[j]]).squaredNorm();
-    return sum;
-  };
-  const std::vector<int> step = after;
-  for (int i = 0; std::cmp_less(i, step.size()); ++i) {
-    const double move = (positions[step[i]] - positions[before[i]]).norm();
-    if (move > options.torn_move && spread(step, i) > options.torn_spread * spread(before, i))
-      after[i] = before[i];
-  }
-  return after;
 }
 
 double between(double first, double last, double progress) {
@@ -168,12 +150,15 @@ Track Refinement::finish(const Track& middle) const {
   const int first = options_.middle_rounds();
   Track track = middle;
   std::vector<int> vertices = spectral_step(track, fine, first);
-  if (!options_.parts && !track.judged.hypothesis.pose)
+  std::vector<Point> positions;
+  if (track.judged.hypothesis.pose)
+    positions = carried(track, fine);
+  else if (!options_.parts)
     vertices = untorn(carried_vertices(track, fine), std::move(vertices), fine.graph.neighbours,
                       target_.proxy.mesh.vertices, options_);
   return fine_rounds(middle.judged, std::move(vertices),
                      inside_on(fine, middle.judged.source->proxy, track), first,
-                     carried(track, fine));
+                     std::move(positions));
 }
 
 Track Refinement::fine_rounds(const Judged& judged, std::vector<int> vertices,
@@ -181,7 +166,7 @@ Track Refinement::fine_rounds(const Judged& judged, std::vector<int> vertices,
                               std::vector<Point> positions) const {
   const Level& fine = judged.source->fine;
   Track track = enter(judged, fine, target_.fine, std::move(vertices), std::move(inside));
-  if (judged.hypothesis.pose && !positions.empty()) place(track, std::move(positions));
+  if (!positions.empty()) place(track, std::move(positions));
   run_round(track, first);
   for (int round = first + 1; round < options_.rounds; ++round) {
     std::vector<int> places = spectral_step(track, fine, round);
@@ -201,10 +186,10 @@ void Refinement::turn_an_end(Track& track) const {
   if (vertices.empty()) return;
   const int last = options_.rounds - 1;
   Track turned = fine_rounds(track.judged, std::move(vertices), {}, last);
-  // Every further round lessens the cost, so what is kept does one as well.
-  const Track kept = fine_rounds(track.judged, track.vertices, {}, last);
-  const double energy = turned.registration.energy / kept.registration.energy,
-               cost = turned.cost() / kept.cost(), most = options_.turning.max_remaining;
+  // Every further round lessens the cost, so it is compared with what one makes of the other.
+  const Track unturned = fine_rounds(track.judged, track.vertices, {}, last);
+  const double energy = turned.registration.energy / unturned.registration.energy,
+               cost = turned.cost() / unturned.cost(), most = options_.turning.max_remaining;
   if (energy < most && cost < most * energy) track = std::move(turned);
 }
 

@@ -131,7 +131,7 @@ class Sliding {
     Pull result;
     if (!inside_.empty() && !inside_[v]) return result;
     const Face& face = target_.mesh.faces[image.face];
-    const double area = area_vector(target_.mesh, face).norm() / 2;
+    const double area = area_vector(target_.mesh.vertices, face).norm() / 2;
     if (area <= 0) return result;
     std::array<Point, 3> gradients = hat_gradients(target_.mesh, face);
     for (Point& gradient : gradients) gradient /= area;

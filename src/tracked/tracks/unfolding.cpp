@@ -8,6 +8,8 @@
 
 #include "geometry/closest_point.h"
 #include "geometry/disjoint_sets.h"
+#include "geometry/hat_gradients.h"
+#include "geometry/interpolation.h"
 #include "geometry/walk.h"
 #include "tracked/tracks/faults.h"
 
@@ -79,7 +81,7 @@ Eigen::Matrix3d gradient_at(const Surface& surface, const std::vector<Point>& po
   Eigen::Matrix3d moved = Eigen::Matrix3d::Zero(), rest = Eigen::Matrix3d::Zero();
   Point normal(0, 0, 0);
   for (int f : surface.faces[v]) {
-    normal += scaled_normal(positions, surface.mesh.faces[f]);
+    normal += area_vector(positions, surface.mesh.faces[f]);
     for (int w : surface.mesh.faces[f]) {
       const Point edge = surface.mesh.vertices[w] - surface.mesh.vertices[v];
       rest += edge * edge.transpose();
@@ -120,11 +122,8 @@ Plane plane_near(const Surface& target, const SurfacePoint& image, const Point& 
   const int start = target.mesh.faces[image.face][0];
   const int vertex = walk_to_vertex(target.mesh, target.faces, start, p);
   const SurfacePoint foot = closest_point_around(target.mesh, target.faces, vertex, p);
-  Plane plane{position(target.mesh, foot), {0, 0, 0}};
-  for (int k = 0; k < 3; ++k)
-    plane.normal += foot.weights[k] * target.normals[target.mesh.faces[foot.face][k]];
-  plane.normal = plane.normal.stableNormalized();
-  return plane;
+  return {position(target.mesh, foot),
+          interpolated(target.mesh, target.normals, foot).stableNormalized()};
 }
 
 /// Mends a surface that was bent onto another.
@@ -249,13 +248,15 @@ class Unfolding {
 
 std::vector<Point> unfolded(const Surface& source, std::vector<Point> positions,
                             const Surface& target, const Images& images,
-                            const std::vector<int>& kept, const UnfoldingOptions& options) {
+                            const std::vector<int>& kept, const UnfoldingOptions& options,
+                            const Context& context) {
   // Patches of several sizes in turn, as what one does not mend another does.
   constexpr int kCores = 2, kSizes = 3;
   const Faults faults(source.mesh);
   const Unfolding unfolding(source, target, images, options);
   std::vector<double> before = faults(positions);
   for (int round = 0; round < options.rounds; ++round) {
+    context.check_stop();
     if (std::ranges::none_of(before, [](double fault) { return fault > 0; })) break;
     const Patch patch = patch_around(source, before, round % kCores, 1 + round % kSizes, kept);
     const double pull = round % kCores == 0 ? 0 : options.pull;

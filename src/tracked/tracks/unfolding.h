@@ -21,9 +21,11 @@ struct Images {
 /// from what surrounds them, and the surface integrated anew (Sumner and Popovic 2004, Yu et al.
 /// 2004). That is done where it mends more than it moves the surface off its images, so that some
 /// such triangles may remain. Vertices `kept`, and all of a surface without such triangles, stay
-/// where they are. Deterministic. O(N log N).
+/// where they are. Where a patch is small all of its gradients are averaged instead. Deterministic.
+/// O(N log N).
 std::vector<Point> unfolded(const Surface& source, std::vector<Point> positions,
                             const Surface& target, const Images& images,
-                            const std::vector<int>& kept, const UnfoldingOptions& options);
+                            const std::vector<int>& kept, const UnfoldingOptions& options,
+                            const Context& context);
 
 }  // namespace isomatch::tracked

@@ -68,6 +68,19 @@ TEST_F(RegisteredSheet, MayBeTurnedAtRandom) {
   EXPECT_EQ(measure_registered(turned, turned.vertices, sheet_).folded, 0);
 }
 
+TEST_F(RegisteredSheet, ThatHasCollapsedIsSqueezedAll) {
+  const std::vector<Point> nowhere(sheet_.vertices.size(), Point::Zero());
+  EXPECT_EQ(measure_registered(sheet_, nowhere, sheet_).squeezed, 1);
+}
+
+TEST_F(RegisteredSheet, ReachesANeedleInNoTime) {
+  Mesh needle = sheet_;
+  const int first = needle.num_vertices();
+  needle.vertices.insert(needle.vertices.end(), {{0, 0, 0}, {1e6, 0, 0}, {0, 1e-9, 0}});
+  needle.faces.push_back({first, first + 1, first + 2});
+  EXPECT_GT(measure_registered(sheet_, sheet_.vertices, needle).reach, 0.9);
+}
+
 TEST_F(RegisteredSheet, NeedsAPositionForEachVertex) {
   const std::vector<Point> few(sheet_.vertices.begin() + 1, sheet_.vertices.end());
   EXPECT_THROW(measure_registered(sheet_, few, sheet_), InvalidInput);

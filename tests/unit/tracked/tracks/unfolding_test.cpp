@@ -39,7 +39,7 @@ struct Sphere {
 
   std::vector<Point> unfolded(const std::vector<Point>& positions,
                               const std::vector<int>& kept = {}) const {
-    return tracked::unfolded(surface, positions, surface, {identity, identity}, kept, {});
+    return tracked::unfolded(surface, positions, surface, {identity, identity}, kept, {}, {});
   }
 
   bool is_sound(const std::vector<Point>& positions) const {
@@ -88,7 +88,7 @@ TEST(Unfolding, TurnsWithTheTarget) {
   for (Point& p : target.mesh.vertices) p = turn * p;
   for (Point& n : target.normals) n = turn * n;
   const std::vector<Point> mended = unfolded(sphere.surface, turned, target,
-                                             {sphere.identity, sphere.identity}, {}, {}),
+                                             {sphere.identity, sphere.identity}, {}, {}, {}),
                            unturned = sphere.unfolded(sphere.pushed(20));
   constexpr double kRounding = 1e-9;
   for (std::size_t v = 0; v < mended.size(); ++v)
