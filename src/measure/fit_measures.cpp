@@ -9,6 +9,7 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "isomatch/geodesics/geodesics.h"
@@ -31,8 +32,9 @@ constexpr float kReliefWidth = 0.05F;
 constexpr double kEven = 0.002;
 /// What rounding to vertices may do to a distance.
 constexpr float kNoise = 0.02F;
-/// Images farther apart than this count as this far, which is torn in any case.
-constexpr float kFar = 0.7F;
+/// Images farther apart than this count as this far, which is torn in any case. Most are nearer
+/// than the other, which takes a fraction of the time to find out.
+constexpr float kFar = 0.7F, kNotFar = 2 * kReach;
 /// Nearer than this to an image a point is reached.
 constexpr float kReached = 0.05F;
 
@@ -61,27 +63,73 @@ SampledImages images_of(const OnSurface<VertexMap>& map) {
   return images;
 }
 
-/// Distances between the samples (rows and columns) within `reach`, infinite beyond.
-std::vector<float> distances_between(const Side& side, const std::vector<int>& samples, float reach,
-                                     const Context& context) {
-  struct Work {
-    GeodesicSearch search;
-    std::vector<float> field;
-  };
-  const auto make = [&] {
-    return Work{GeodesicSearch(*side.graph),
-                std::vector<float>(side.surface.mesh.num_vertices(),
-                                   std::numeric_limits<float>::infinity())};
-  };
-  std::vector<float> rows(samples.size() * samples.size());
-  parallel_for(std::ssize(samples), context, make, [&](Work& work, std::ptrdiff_t i) {
-    const auto reached = work.search.ball(samples[i], reach);
-    for (const auto& [vertex, distance] : reached) work.field[vertex] = distance;
-    for (std::size_t j = 0; j < samples.size(); ++j)
-      rows[i * samples.size() + j] = work.field[samples[j]];
+/// Finds distances from one sample to others.
+struct Finder {
+  GeodesicSearch search;
+  /// To all vertices; infinite between searches.
+  std::vector<float> field;
+
+  explicit Finder(const Side& side)
+      : search(*side.graph),
+        field(side.surface.mesh.num_vertices(), std::numeric_limits<float>::infinity()) {}
+
+  /// To those of `samples` that are within `reach` of a vertex, infinite beyond, into `row`.
+  void find(int from, const std::vector<int>& samples, float reach, std::span<float> row) {
+    const auto reached = search.ball(from, reach);
+    for (const auto& [vertex, distance] : reached) field[vertex] = distance;
+    for (std::size_t j = 0; j < samples.size(); ++j) row[j] = field[samples[j]];
     for (const auto& [vertex, distance] : reached)
-      work.field[vertex] = std::numeric_limits<float>::infinity();
+      field[vertex] = std::numeric_limits<float>::infinity();
+  }
+};
+
+/// Distances between the samples (rows and columns) within `reach`, infinite beyond.
+std::vector<float> distances_within(const Side& side, const std::vector<int>& samples, float reach,
+                                    const Context& context) {
+  const std::size_t count = samples.size();
+  std::vector<float> rows(count * count);
+  const auto make = [&] { return Finder(side); };
+  parallel_for(std::ssize(samples), context, make, [&](Finder& finder, std::ptrdiff_t i) {
+    finder.find(samples[i], samples, reach, std::span(rows).subspan(i * count, count));
   });
+  return rows;
+}
+
+/// Distances between images of samples (rows and columns), of those that are finite in `near`; far
+/// ones are infinite.
+std::vector<float> distances_of_images(const Side& side, const std::vector<int>& images,
+                                       const std::vector<float>& near, float not_far, float far,
+                                       const Context& context) {
+  const std::size_t count = images.size();
+  std::vector<float> rows(count * count);
+  const auto make = [&] { return Finder(side); };
+  parallel_for(std::ssize(images), context, make, [&](Finder& finder, std::ptrdiff_t i) {
+    const std::span<float> row = std::span(rows).subspan(i * count, count);
+    finder.find(images[i], images, not_far, row);
+    for (std::size_t j = 0; j < count; ++j) {
+      if (std::isinf(near[i * count + j]) || !std::isinf(row[j])) continue;
+      finder.find(images[i], images, far, row);
+      return;
+    }
+  });
+  return rows;
+}
+
+/// All distances between the samples (rows and columns).
+std::vector<float> distances_between(const Side& side, const std::vector<int>& samples,
+                                     const Context& context) {
+  // Fields that are computed at a time, in so much memory.
+  constexpr std::size_t kFloats = 16'000'000;
+  const auto n = static_cast<std::size_t>(side.surface.mesh.num_vertices());
+  const std::size_t at_a_time = std::max<std::size_t>(1, kFloats / n);
+  std::vector<float> rows;
+  for (std::size_t first = 0; first < samples.size(); first += at_a_time) {
+    const std::span<const int> some =
+        std::span(samples).subspan(first, std::min(at_a_time, samples.size() - first));
+    const std::vector<float> fields = geodesic_fields(*side.graph, some, context);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      for (const int sample : samples) rows.push_back(fields[i * n + sample]);
+  }
   return rows;
 }
 
@@ -116,7 +164,10 @@ SampledImages spread(const SampledImages& images, const Side& source, const Cont
 void measure_stretch(const Side& target, const SampledImages& samples,
                      const std::vector<float>& near, double scale, const Context& context,
                      FitMeasures& measures) {
-  std::vector<float> images = distances_between(target, samples.targets, kFar, context);
+  // In the unit of the source.
+  const auto unit = static_cast<float>(std::max(scale, 1.0));
+  std::vector<float> images =
+      distances_of_images(target, samples.targets, near, kNotFar * unit, kFar, context);
   for (float& distance : images) distance /= static_cast<float>(scale);
   const std::vector<double> stretch = stretch_around(near, images, samples.vertices.size());
   const auto count = static_cast<double>(stretch.size());
@@ -130,9 +181,8 @@ double displacement(const Side& source, const Side& target, SampledImages sample
   const std::size_t count = std::min<std::size_t>(samples.vertices.size(), kFarSamples);
   samples.vertices.resize(count);
   samples.targets.resize(count);
-  constexpr float kAll = std::numeric_limits<float>::infinity();
-  const std::vector<float> before = distances_between(source, samples.vertices, kAll, context);
-  const std::vector<float> after = distances_between(target, samples.targets, kAll, context);
+  const std::vector<float> before = distances_between(source, samples.vertices, context);
+  const std::vector<float> after = distances_between(target, samples.targets, context);
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
     double sum = 0;
@@ -249,7 +299,7 @@ FitMeasures measure_fit(const Shape& source, const Shape& target, const OnSurfac
   if (images.vertices.empty()) return {.unreached = 1, .unmatched = 1, .reversed = -1};
   FitMeasures measures;
   const SampledImages samples = spread(images, from, context);
-  const std::vector<float> near = distances_between(from, samples.vertices, kReach, context);
+  const std::vector<float> near = distances_within(from, samples.vertices, kReach, context);
   measure_stretch(onto, samples, near, scale, context, measures);
   measures.displacement = displacement(from, onto, samples, context);
   measures.relief = relief_agreement(from, onto, samples, context);
