@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command.h"
@@ -111,10 +114,10 @@ void run_batch(const BatchCommand& batch, bool quiet, const Context& context) {
   const std::string suffix =
       shard.count > 1 ? fmt::format("-{}-of-{}", shard.share, shard.count) : "";
   const Log log(folder.path_of("batch" + suffix + ".log"), quiet);
-  finish(
-      folder, "pairs" + suffix + ".csv",
-      match_pairs(results::share_of(all, shard.share, shard.count), folder, options, log, context),
-      quiet);
+  finish(folder, "pairs" + suffix + ".csv",
+         match_pairs(results::share_of(all, shard.share, shard.count), folder, options,
+                     std::cref(log), context),
+         quiet);
 }
 
 void add_pair_options(CLI::App& command, BatchCommand& batch) {

@@ -46,7 +46,10 @@ void check_same_batch(const fs::path& file, const Json& batch, bool go_on) {
 BatchFolder::BatchFolder(const std::string& path, const Json& options, bool go_on) : path_(path) {
   const Json batch{{"isomatch", kVersion}, {"options", options}};
   const fs::path file = path_ / kBatch;
-  if (is_taken(file)) return check_same_batch(file, batch, go_on);
+  if (is_taken(file)) {
+    check_same_batch(file, batch, go_on);
+    return;
+  }
   std::error_code error;
   fs::create_directories(path_, error);
   check(path_, "created", error);
