@@ -14,13 +14,20 @@
 
 #include "isomatch/error.h"
 #include "program/interrupt.h"
+#include "program/partly_failed.h"
 #include "program/progress_bar.h"
 #include "program/usage_error.h"
 
 namespace isomatch::cli {
 namespace {
 
-enum ExitCode { kSuccess = 0, kInternalError = 1, kBadInput = 2, kSignalBase = 128 };
+enum ExitCode {
+  kSuccess = 0,
+  kInternalError = 1,
+  kBadInput = 2,
+  kPartlyFailed = 3,
+  kSignalBase = 128
+};
 
 void flush_output() {
   if (std::fflush(stdout) != 0) throw BadFile("standard output", std::strerror(errno));
@@ -48,6 +55,8 @@ int run_guarded(const std::string& name, const Request& request) {
   } catch (const Cancelled&) {
     fail(kInternalError, "interrupted");
     return kSignalBase + interrupt.signal();
+  } catch (const PartlyFailed& error) {
+    return fail(kPartlyFailed, error.what());
   } catch (const BadFile& error) {
     return fail(kBadInput, error.what());
   } catch (const InvalidInput& error) {

@@ -16,7 +16,8 @@ void restart_without_spinning(char** argv);
 
 /// Parses the command line, keeps its words in `request`, runs `request`'s action and turns what it
 /// throws into one line on standard error, beginning with the name of `app`, and an exit code: 0 on
-/// success, 2 for bad input, 130 when interrupted, 1 for anything else.
+/// success, 2 for bad input, 3 if some of many things failed, 130 when interrupted, 1 for anything
+/// else.
 int run_program(CLI::App& app, Request& request, int argc, char** argv);
 
 }  // namespace isomatch::cli

@@ -19,5 +19,6 @@ void add_render(CLI::App& app, Request& request);
 void add_report(CLI::App& app, Request& request);
 void add_transfer(CLI::App& app, Request& request);
 void add_convert(CLI::App& app, Request& request);
+void add_batch(CLI::App& app, Request& request);
 
 }  // namespace isomatch::cli

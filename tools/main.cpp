@@ -19,6 +19,7 @@ void describe_program(CLI::App& app, Request& request) {
   app.require_subcommand(1);
   app.formatter(std::make_shared<HelpFormat>());
   add_match(app, request);
+  add_batch(app, request);
   add_eval(app, request);
   add_info(app, request);
   add_synth(app, request);

@@ -12,6 +12,7 @@
 #include "isomatch/io/map_file.h"
 #include "match/method.h"
 #include "match/outcome.h"
+#include "match/tracked_options.h"
 #include "results/folder/report.h"
 #include "results/folder/tracked_output.h"
 #include "results/option_names.h"
@@ -85,38 +86,7 @@ std::optional<results::ShownMatch> run_tracked(const MatchArguments& arguments,
 
 Method add_tracked_method(CLI::App& command, const std::string& group) {
   const auto tracked = std::make_shared<TrackedArguments>();
-  TrackedOptions& options = tracked->options;
-  command
-      .add_flag("--whole", options.whole,
-                "Nothing of the shapes is missing, whatever their boundaries: match everything")
-      ->group(group);
-  command
-      .add_option("--scale", options.scale,
-                  "What makes sizes alike: same units, the same area, or auto: the area of whole "
-                  "shapes, the units of parts")
-      ->check(CLI::IsMember({"auto", "same", "area"}))
-      ->group(group)
-      ->capture_default_str();
-  command
-      .add_flag("--allow-reflection", options.allow_reflection,
-                "Try to match the mirror image of the source as well")
-      ->group(group);
-  command
-      .add_flag("!--no-orientation", options.orientation,
-                "Grow hypotheses by distances along the surface alone")
-      ->group(group);
-  command
-      .add_flag("!--no-elastic-judging", options.elastic_judging,
-                "Choose by distortion and orientation instead of elastic energy")
-      ->group(group);
-  command
-      .add_flag("!--no-refinement", options.refinement, "Stop after a first, coarse registration")
-      ->group(group);
-  command.add_option("--alternatives", options.alternatives, "Maps to write besides the best one")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
-      ->group(group)
-      ->capture_default_str();
+  add_tracked_options(command, group, tracked->options, tracked->target_to_source);
   command
       .add_option(
           "--landmarks", tracked->landmarks,
@@ -128,9 +98,6 @@ Method add_tracked_method(CLI::App& command, const std::string& group) {
   command
       .add_flag("--one-based", tracked->one_based, "The landmarks' vertices are numbered from 1")
       ->needs("--landmarks")
-      ->group(group);
-  command
-      .add_flag("--target-to-source", tracked->target_to_source, "Write the inverse map as well")
       ->group(group);
   return [tracked](const MatchArguments& arguments, const Context& context) {
     return run_tracked(arguments, *tracked, context);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "isomatch/context.h"
+#include "isomatch/methods/tracked.h"
+#include "results/batch/batch_folder.h"
+#include "results/batch/pair_list.h"
+#include "results/json.h"
+
+namespace isomatch::results {
+
+/// What the pairs of a batch have in common.
+struct BatchOptions {
+  TrackedOptions matching;
+  bool target_to_source = false;
+  /// Of shapes that are kept for other pairs, about, in bytes.
+  std::uint64_t memory = 0;
+  /// The command line, for the reports.
+  std::vector<std::string> words;
+};
+
+/// What became of a pair: its report, or else why there is none.
+struct PairOutcome {
+  ListedPair pair;
+  Json report;
+  std::string error;
+  /// Whether it was finished by an earlier run.
+  bool earlier = false;
+
+  bool matched() const { return error.empty(); }
+};
+
+/// The options as they go into reports.
+Json batch_options_json(const BatchOptions& options);
+
+/// Matches the pairs, each on one thread, as many at a time as there are threads, and leaves the
+/// results of each in the folder of its name, see `write_tracked`. A shape is read and prepared
+/// once, as long as memory lasts. What is wrong with a file fails its pairs and no other. Pairs
+/// that are finished are passed over. `tell` is called from the calling thread, once for each pair,
+/// as they end; the result has them in the order of the list. Throws `Cancelled` after a stop: then
+/// pairs that are not finished have left nothing.
+std::vector<PairOutcome> match_pairs(const std::vector<ListedPair>& pairs,
+                                     const BatchFolder& folder, const BatchOptions& options,
+                                     const std::function<void(const PairOutcome&)>& tell,
+                                     const Context& context);
+
+/// The outcomes of pairs that are finished; the others have not been matched yet.
+std::vector<PairOutcome> finished_pairs(const std::vector<ListedPair>& pairs,
+                                        const BatchFolder& folder);
+
+/// Writes a CSV table with a line for each pair: names, whether it was matched, the fit and its
+/// measures, what makes it doubtful, seconds and the error. Throws `BadFile`.
+void write_pair_table(const std::string& path, const std::vector<PairOutcome>& outcomes);
+
+}  // namespace isomatch::results

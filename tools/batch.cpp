@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "results/batch/batch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "isomatch/error.h"
+#include "match/tracked_options.h"
+#include "program/partly_failed.h"
+#include "program/say.h"
+#include "results/batch/pair_list.h"
+
+namespace isomatch::cli {
+namespace {
+
+struct BatchCommand {
+  std::string list, all, chain, folder;
+  std::vector<std::string> star;
+  /// Share and number of shares, or empty.
+  std::string shard;
+  bool resume = false, merge = false;
+  double memory_gib = 0;
+  results::BatchOptions options;
+};
+
+/// I/N.
+struct Shard {
+  int share = 1, count = 1;
+};
+
+Shard shard_of(const std::string& text) {
+  Shard shard;
+  int end = 0;
+  if (text.empty()) return shard;
+  if (std::sscanf(text.c_str(), "%d/%d%n", &shard.share, &shard.count, &end) != 2 ||
+      std::cmp_not_equal(end, text.size()) || shard.share < 1 || shard.share > shard.count)
+    throw InvalidInput(
+        fmt::format("--shard: expected I/N with I from 1 to N, such as 2/8, not {}", text));
+  return shard;
+}
+
+std::vector<results::ListedPair> pairs_of(const BatchCommand& batch) {
+  if (!batch.all.empty()) return results::all_pairs(batch.all);
+  if (!batch.chain.empty()) return results::chain_of_pairs(batch.chain);
+  if (!batch.star.empty()) return results::star_of_pairs(batch.star[0], batch.star[1]);
+  return results::read_pairs(batch.list);
+}
+
+/// A line of the log.
+std::string told(const results::PairOutcome& outcome) {
+  if (!outcome.matched()) return fmt::format("{}: failed: {}", outcome.pair.name, outcome.error);
+  return fmt::format("{}: {} fit{}", outcome.pair.name,
+                     outcome.report.at("fit").at("grade").get<std::string>(),
+                     outcome.earlier ? " (earlier)" : "");
+}
+
+/// Appends to the log of the batch, each line as it happens.
+class Log {
+ public:
+  Log(const std::string& path, bool quiet) : file_(std::fopen(path.c_str(), "ae")), quiet_(quiet) {
+    if (!file_) throw BadFile(path, "cannot be written");
+  }
+
+  void operator()(const results::PairOutcome& outcome) const {
+    const std::string line = told(outcome);
+    if (!outcome.earlier) {
+      fmt::print(file_.get(), "{}\n", line);
+      std::fflush(file_.get());
+    }
+    if (!quiet_) say("{}", line);
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, Close> file_;
+  bool quiet_;
+};
+
+void finish(const results::BatchFolder& folder, const std::string& table,
+            const std::vector<results::PairOutcome>& outcomes, bool quiet) {
+  results::write_pair_table(folder.path_of(table), outcomes);
+  const auto failed = std::ranges::count_if(
+      outcomes, [](const results::PairOutcome& outcome) { return !outcome.matched(); });
+  if (!quiet)
+    say("{} of {} pairs matched, see {}", outcomes.size() - failed, outcomes.size(),
+        folder.path_of(table));
+  if (failed > 0)
+    throw PartlyFailed(fmt::format("{} of {} pairs failed, see {}", failed, outcomes.size(),
+                                   folder.path_of(table)));
+}
+
+void run_batch(const BatchCommand& batch, bool quiet, const Context& context) {
+  constexpr double kGiB = 1 << 30;
+  results::BatchOptions options = batch.options;
+  options.matching.validate();
+  options.memory = static_cast<std::uint64_t>(batch.memory_gib * kGiB);
+  const Shard shard = shard_of(batch.shard);
+  const std::vector<results::ListedPair> all = pairs_of(batch);
+  const results::BatchFolder folder(batch.folder, results::batch_options_json(options),
+                                    batch.resume || batch.merge || shard.count > 1);
+  if (batch.merge) return finish(folder, "pairs.csv", finished_pairs(all, folder), quiet);
+  const std::string suffix =
+      shard.count > 1 ? fmt::format("-{}-of-{}", shard.share, shard.count) : "";
+  const Log log(folder.path_of("batch" + suffix + ".log"), quiet);
+  finish(folder, "pairs" + suffix + ".csv",
+         match_pairs(results::share_of(all, shard.share, shard.count), folder, options,
+                     std::cref(log), context),
+         quiet);
+}
+
+void add_pair_options(CLI::App& command, BatchCommand& batch) {
+  CLI::Option_group& pairs = *command.add_option_group("Pairs, one of");
+  pairs.add_option("PAIRS", batch.list,
+                   "Text or CSV file with a pair a line: source, target and, if wanted, a name");
+  pairs.add_option("--all", batch.all, "Every ordered pair of the meshes in this folder")
+      ->type_name("FOLDER");
+  pairs.add_option("--star", batch.star, "A template onto each of the meshes in a folder")
+      ->type_name("TEMPLATE FOLDER")
+      ->expected(2);
+  pairs.add_option("--chain", batch.chain, "Each mesh in this folder onto the next, by names")
+      ->type_name("FOLDER");
+  pairs.require_option(1);
+}
+
+}  // namespace
+
+void add_batch(CLI::App& app, Request& request) {
+  const auto batch = std::make_shared<BatchCommand>();
+  CLI::App& command =
+      *app.add_subcommand("batch", "Match many pairs; each shape is read and prepared once");
+  add_pair_options(command, *batch);
+  command
+      .add_option("-o,--output", batch->folder,
+                  "Folder for the results: a folder a pair, pairs.csv and batch.log")
+      ->type_name("DIR")
+      ->required();
+  command.add_flag("--resume", batch->resume,
+                   "Go on with a batch that was stopped: finished pairs stay as they are");
+  command
+      .add_option("--shard", batch->shard,
+                  "Match one of N shares of the pairs only, which may run at the same time; "
+                  "implies --resume")
+      ->type_name("I/N");
+  command.add_flag("--merge", batch->merge, "Match nothing, write pairs.csv of what is finished");
+  batch->memory_gib = 1;
+  command
+      .add_option("--memory", batch->memory_gib, "For shapes that are kept for other pairs, in GiB")
+      ->type_name("GIB")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  add_tracked_options(command, "Options of every match", batch->options.matching,
+                      batch->options.target_to_source);
+  add_run_options(command, request);
+  set_example(command,
+              "isomatch batch --all scans -o matched\n"
+              "  isomatch batch pairs.csv -o matched --resume",
+              "batch.md");
+  command.callback([batch, &request] {
+    batch->options.words = request.words;
+    request.action = [batch, &request](const Context& context) {
+      run_batch(*batch, request.quiet, context);
+    };
+  });
+}
+
+}  // namespace isomatch::cli
