@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,6 +21,7 @@
 #include "program/partly_failed.h"
 #include "program/say.h"
 #include "results/batch/pair_list.h"
+#include "results/files/input_files.h"
 
 namespace isomatch::cli {
 namespace {
@@ -29,7 +32,7 @@ struct BatchCommand {
   /// Share and number of shares, or empty.
   std::string shard;
   bool resume = false, merge = false;
-  double memory_gib = 0;
+  double memory_gib = 1;
   results::BatchOptions options;
 };
 
@@ -40,10 +43,14 @@ struct Shard {
 
 Shard shard_of(const std::string& text) {
   Shard shard;
-  int end = 0;
   if (text.empty()) return shard;
-  if (std::sscanf(text.c_str(), "%d/%d%n", &shard.share, &shard.count, &end) != 2 ||
-      std::cmp_not_equal(end, text.size()) || shard.share < 1 || shard.share > shard.count)
+  const char* const end = text.data() + text.size();
+  const auto share = std::from_chars(text.data(), end, shard.share);
+  const auto count = share.ptr < end && *share.ptr == '/'
+                         ? std::from_chars(share.ptr + 1, end, shard.count)
+                         : std::from_chars_result{text.data(), std::errc::invalid_argument};
+  if (share.ec != std::errc() || count.ec != std::errc() || count.ptr != end || shard.share < 1 ||
+      shard.share > shard.count)
     throw InvalidInput(
         fmt::format("--shard: expected I/N with I from 1 to N, such as 2/8, not {}", text));
   return shard;
@@ -59,8 +66,7 @@ std::vector<results::ListedPair> pairs_of(const BatchCommand& batch) {
 /// A line of the log.
 std::string told(const results::PairOutcome& outcome) {
   if (!outcome.matched()) return fmt::format("{}: failed: {}", outcome.pair.name, outcome.error);
-  return fmt::format("{}: {} fit{}", outcome.pair.name,
-                     outcome.report.at("fit").at("grade").get<std::string>(),
+  return fmt::format("{}: {} fit{}", outcome.pair.name, outcome.summary.grade,
                      outcome.earlier ? " (earlier)" : "");
 }
 
@@ -73,10 +79,8 @@ class Log {
 
   void operator()(const results::PairOutcome& outcome) const {
     const std::string line = told(outcome);
-    if (!outcome.earlier) {
-      fmt::print(file_.get(), "{}\n", line);
-      std::fflush(file_.get());
-    }
+    fmt::print(file_.get(), "{}\n", line);
+    std::fflush(file_.get());
     if (!quiet_) say("{}", line);
   }
 
@@ -101,6 +105,12 @@ void finish(const results::BatchFolder& folder, const std::string& table,
                                    folder.path_of(table)));
 }
 
+void refuse_list_as_output(const BatchCommand& batch, const std::vector<std::string>& names) {
+  const results::InputFiles list({batch.list});
+  for (const std::string& name : names)
+    list.refuse((std::filesystem::path(batch.folder) / name).string());
+}
+
 void run_batch(const BatchCommand& batch, bool quiet, const Context& context) {
   constexpr double kGiB = 1 << 30;
   results::BatchOptions options = batch.options;
@@ -108,15 +118,22 @@ void run_batch(const BatchCommand& batch, bool quiet, const Context& context) {
   options.memory = static_cast<std::uint64_t>(batch.memory_gib * kGiB);
   const Shard shard = shard_of(batch.shard);
   const std::vector<results::ListedPair> all = pairs_of(batch);
-  const results::BatchFolder folder(batch.folder, results::batch_options_json(options),
-                                    batch.resume || batch.merge || shard.count > 1);
-  if (batch.merge) return finish(folder, "pairs.csv", finished_pairs(all, folder), quiet);
+  const results::Json common = results::batch_options_json(options);
+  if (batch.merge) {
+    refuse_list_as_output(batch, {"pairs.csv"});
+    const results::BatchFolder folder(batch.folder, common);
+    return finish(folder, "pairs.csv", results::finished_pairs(all, folder), quiet);
+  }
   const std::string suffix =
-      shard.count > 1 ? fmt::format("-{}-of-{}", shard.share, shard.count) : "";
-  const Log log(folder.path_of("batch" + suffix + ".log"), quiet);
-  finish(folder, "pairs" + suffix + ".csv",
-         match_pairs(results::share_of(all, shard.share, shard.count), folder, options,
-                     std::cref(log), context),
+      batch.shard.empty() ? "" : fmt::format("-{}-of-{}", shard.share, shard.count);
+  const std::string table = "pairs" + suffix + ".csv", log_name = "batch" + suffix + ".log";
+  refuse_list_as_output(batch, {table, log_name});
+  const auto folder = results::BatchFolder::begun(batch.folder, common, {table, log_name},
+                                                  batch.resume || !batch.shard.empty());
+  const Log log(folder.path_of(log_name), quiet);
+  finish(folder, table,
+         results::match_pairs(results::share_of(all, shard.share, shard.count), folder, options,
+                              std::cref(log), context),
          quiet);
 }
 
@@ -126,8 +143,10 @@ void add_pair_options(CLI::App& command, BatchCommand& batch) {
                    "Text or CSV file with a pair a line: source, target and, if wanted, a name");
   pairs.add_option("--all", batch.all, "Every ordered pair of the meshes in this folder")
       ->type_name("FOLDER");
-  pairs.add_option("--star", batch.star, "A template onto each of the meshes in a folder")
-      ->type_name("TEMPLATE FOLDER")
+  pairs
+      .add_option("--star", batch.star,
+                  "A template onto each of the meshes in a folder: TEMPLATE FOLDER")
+      ->type_name("PATH")
       ->expected(2);
   pairs.add_option("--chain", batch.chain, "Each mesh in this folder onto the next, by names")
       ->type_name("FOLDER");
@@ -153,12 +172,13 @@ void add_batch(CLI::App& app, Request& request) {
                   "Match one of N shares of the pairs only, which may run at the same time; "
                   "implies --resume")
       ->type_name("I/N");
-  command.add_flag("--merge", batch->merge, "Match nothing, write pairs.csv of what is finished");
-  batch->memory_gib = 1;
+  command.add_flag("--merge", batch->merge, "Match nothing, write pairs.csv of what is finished")
+      ->excludes("--shard");
+  constexpr double kMostGiB = 1e6;
   command
       .add_option("--memory", batch->memory_gib, "For shapes that are kept for other pairs, in GiB")
       ->type_name("GIB")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0.0, kMostGiB))
       ->capture_default_str();
   add_tracked_options(command, "Options of every match", batch->options.matching,
                       batch->options.target_to_source);

@@ -62,6 +62,33 @@ class Outcomes {
   std::exception_ptr failure_;
 };
 
+std::string all_of(const Json& sentences, const std::string& before = "") {
+  std::string all;
+  for (const Json& sentence : sentences)
+    all += (all.empty() ? "" : "; ") + before + sentence.get<std::string>();
+  return all;
+}
+
+PairSummary summary_of(const Json& report) {
+  const Json& fit = report.at("fit");
+  PairSummary summary;
+  summary.grade = fit.at("grade").get<std::string>();
+  summary.reasons = all_of(fit.at("reasons"));
+  for (const char* side : {"source", "target"}) {
+    const std::string warnings =
+        all_of(report.at(side).value("warnings", Json::array()), std::string(side) + ": ");
+    summary.warnings += (summary.warnings.empty() || warnings.empty() ? "" : "; ") + warnings;
+  }
+  summary.matched_vertices = report.at("source_vertices_matched").get<int>();
+  summary.unmatched_vertices = report.at("source_vertices_unmatched").get<int>();
+  summary.stretch = fit.at("stretch").get<double>();
+  summary.unreached = fit.at("unreached").get<double>();
+  summary.ambiguity = report.at("ambiguity").get<double>();
+  summary.mirrored = report.at("map").at("mirrored").get<bool>();
+  for (const Json& stage : report.at("seconds")) summary.seconds += stage.get<double>();
+  return summary;
+}
+
 class Batch {
  public:
   Batch(const std::vector<ListedPair>& pairs, const BatchFolder& folder,
@@ -77,36 +104,38 @@ class Batch {
       for (std::size_t place = next_++; place < pairs_.size(); place = next_++)
         outcomes_.put(place, outcome(pairs_[place]));
     } catch (...) {
-      next_ = pairs_.size();
+      begin_no_more();
       outcomes_.give_up(std::current_exception());
     }
   }
+
+  /// Threads end with the pair that they are at.
+  void begin_no_more() { next_ = pairs_.size(); }
 
   Outcomes& outcomes() { return outcomes_; }
 
  private:
   PairOutcome outcome(const ListedPair& pair) {
-    if (std::optional<Json> report = folder_.report_of(pair.name))
-      return {pair, std::move(*report), "", true};
-    const std::string place = folder_.begin(pair.name);
+    PairOutcome outcome{pair, {}, "", false};
     try {
-      PairOutcome outcome{pair, matched(pair, place), "", false};
-      folder_.finish(pair.name);
-      return outcome;
+      std::optional<Json> report = folder_.report_of(pair);
+      outcome.earlier = report.has_value();
+      if (!report) report = matched(pair);
+      outcome.summary = summary_of(*report);
     } catch (const Cancelled&) {
       folder_.abandon(pair.name);
       throw;
     } catch (const std::bad_alloc&) {
-      folder_.abandon(pair.name);
-      return {pair, {}, "out of memory", false};
+      outcome.error = "out of memory";
     } catch (const std::exception& error) {
-      folder_.abandon(pair.name);
-      return {pair, {}, error.what(), false};
+      outcome.error = error.what();
     }
+    if (!outcome.matched()) folder_.abandon(pair.name);
+    return outcome;
   }
 
-  /// Matches a pair, writes the results into `place` and returns the report.
-  Json matched(const ListedPair& pair, const std::string& place) {
+  /// Matches a pair, writes the results and returns the report.
+  Json matched(const ListedPair& pair) {
     const Context alone{.threads = 1, .progress = {}, .stop = stop_};
     alone.check_stop();
     TrackedRun run{{options_.words,
@@ -119,10 +148,14 @@ class Batch {
     run.result =
         match_tracked(run.inputs.source.shape, run.inputs.target.shape, options_.matching, alone);
     run.fits = fits_of(run.inputs, run.result, alone);
-    return write_tracked(
-        {place, tracked_files(options_.matching.alternatives, options_.target_to_source),
-         InputFiles({pair.source, pair.target})},
-        run);
+    folder_.abandon(pair.name);
+    Json report =
+        write_tracked({folder_.place_for(pair.name),
+                       tracked_files(options_.matching.alternatives, options_.target_to_source),
+                       InputFiles({pair.source, pair.target})},
+                      run);
+    if (!folder_.finish(pair.name)) return folder_.report_of(pair).value();
+    return report;
   }
 
   const std::vector<ListedPair>& pairs_;
@@ -133,6 +166,21 @@ class Batch {
   std::atomic<std::size_t> next_ = 0;
   Outcomes outcomes_;
 };
+
+/// As they end, until all have or a thread has given up.
+void tell_all(Batch& batch, std::vector<PairOutcome>& outcomes,
+              const std::function<void(const PairOutcome&)>& tell, const Context& context) {
+  for (std::size_t done = 0; done < outcomes.size();) {
+    auto next = batch.outcomes().take();
+    if (!next) return;
+    tell(next->second);
+    outcomes[next->first] = std::move(next->second);
+    ++done;
+    if (context.progress)
+      context.progress(static_cast<double>(done) / static_cast<double>(outcomes.size()),
+                       fmt::format("{} of {} pairs", done, outcomes.size()));
+  }
+}
 
 }  // namespace
 
@@ -152,17 +200,14 @@ std::vector<PairOutcome> match_pairs(const std::vector<ListedPair>& pairs,
   Batch batch(pairs, folder, options, context);
   {
     std::vector<std::jthread> threads;
-    for (int k = 0; k < std::max(1, context.threads); ++k)
-      threads.emplace_back([&] { batch.work(); });
-    for (std::size_t done = 0; done < pairs.size();) {
-      auto next = batch.outcomes().take();
-      if (!next) break;
-      tell(next->second);
-      outcomes[next->first] = std::move(next->second);
-      ++done;
-      if (context.progress)
-        context.progress(static_cast<double>(done) / static_cast<double>(pairs.size()),
-                         fmt::format("{} of {} pairs", done, pairs.size()));
+    try {
+      const auto most =
+          std::min(pairs.size(), static_cast<std::size_t>(std::max(1, context.threads)));
+      for (std::size_t k = 0; k < most; ++k) threads.emplace_back([&] { batch.work(); });
+      tell_all(batch, outcomes, tell, context);
+    } catch (...) {
+      batch.begin_no_more();
+      throw;
     }
   }
   batch.outcomes().rethrow_failure();
@@ -173,8 +218,17 @@ std::vector<PairOutcome> finished_pairs(const std::vector<ListedPair>& pairs,
                                         const BatchFolder& folder) {
   std::vector<PairOutcome> outcomes;
   for (const ListedPair& pair : pairs) {
-    std::optional<Json> report = folder.report_of(pair.name);
-    outcomes.push_back({pair, report.value_or(Json()), report ? "" : "not matched yet", true});
+    PairOutcome outcome{pair, {}, "", true};
+    try {
+      const std::optional<Json> report = folder.report_of(pair);
+      if (report)
+        outcome.summary = summary_of(*report);
+      else
+        outcome.error = "not matched yet";
+    } catch (const std::exception& error) {
+      outcome.error = error.what();
+    }
+    outcomes.push_back(std::move(outcome));
   }
   return outcomes;
 }

@@ -25,12 +25,22 @@ struct BatchOptions {
   std::vector<std::string> words;
 };
 
-/// What became of a pair: its report, or else why there is none.
+/// What a report tells of a pair in short.
+struct PairSummary {
+  std::string grade;
+  /// Why the fit is not good, and what is odd about the shapes.
+  std::string reasons, warnings;
+  int matched_vertices = 0, unmatched_vertices = 0;
+  double stretch = 0, unreached = 0, ambiguity = 0, seconds = 0;
+  bool mirrored = false;
+};
+
+/// What became of a pair: a map, or else why there is none.
 struct PairOutcome {
   ListedPair pair;
-  Json report;
+  PairSummary summary;
   std::string error;
-  /// Whether it was finished by an earlier run.
+  /// Whether it was finished by an earlier run, or by another process.
   bool earlier = false;
 
   bool matched() const { return error.empty(); }
@@ -55,7 +65,8 @@ std::vector<PairOutcome> finished_pairs(const std::vector<ListedPair>& pairs,
                                         const BatchFolder& folder);
 
 /// Writes a CSV table with a line for each pair: names, whether it was matched, the fit and its
-/// measures, what makes it doubtful, seconds and the error. Throws `BadFile`.
+/// measures, what makes it doubtful, what is odd about the shapes, seconds and the error. Throws
+/// `BadFile`.
 void write_pair_table(const std::string& path, const std::vector<PairOutcome>& outcomes);
 
 }  // namespace isomatch::results

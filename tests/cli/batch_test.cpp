@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
+#include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,15 +26,21 @@ using testing::StartsWith;
 
 constexpr int kNothingToDo = 0, kBadInput = 2, kPartlyFailed = 3, kInterrupted = 130;
 
-/// Three poses of a creature in a folder.
+/// Three poses of a creature in a folder, and all of their pairs matched, once for all tests.
 class Batch : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::create_directories(path("shapes"));
+  static void SetUpTestSuite() {
+    shared_ = std::make_unique<TemporaryFolder>();
+    fs::create_directories(shared_->path("shapes"));
     for (int pose = 0; pose < 3; ++pose)
-      write_mesh(path("shapes/" + std::string(1, static_cast<char>('a' + pose)) + ".off"),
+      write_mesh(shape(std::string(1, static_cast<char>('a' + pose)) + ".off"),
                  synthesize({.vertices = 1000, .pose = pose, .seed = 3}).mesh);
+    whole_ = std::make_unique<Outcome>(
+        run({"batch", "--all", shared_->path("shapes"), "-o", shared_->path("whole")}));
   }
+  static void TearDownTestSuite() { shared_.reset(); }
+
+  static std::string shape(const std::string& name) { return shared_->path("shapes/" + name); }
 
   std::string path(const std::string& name) const { return folder_.path(name); }
 
@@ -43,17 +52,22 @@ class Batch : public testing::Test {
   }
   Outcome all(const std::string& folder, std::vector<std::string> words = {},
               const RunOptions& options = {}) const {
-    words.insert(words.end(), {"--all", path("shapes")});
+    words.insert(words.end(), {"--all", shared_->path("shapes")});
     return batch(folder, words, options);
   }
 
-  std::string map(const std::string& folder) const {
-    return read_file(path(folder + "/source_to_target.bary.txt"));
+  static std::string map(const std::string& folder) {
+    return read_file(folder + "/source_to_target.bary.txt");
   }
 
-  void expect_same_maps(const std::string& folder, const std::string& other) const {
+  void expect_maps_of_whole(const std::string& folder) const {
     for (const char* pair : {"a__b", "a__c", "b__a", "b__c", "c__a", "c__b"})
-      EXPECT_EQ(map(folder + "/" + pair), map(other + "/" + pair)) << pair;
+      EXPECT_EQ(map(path(folder) + "/" + pair), map(shared_->path("whole/") + pair)) << pair;
+  }
+
+  /// A copy of all that is matched.
+  void copy_whole(const std::string& folder) const {
+    fs::copy(shared_->path("whole"), path(folder), fs::copy_options::recursive);
   }
 
   /// Lines of a file, the first for column names.
@@ -64,29 +78,33 @@ class Batch : public testing::Test {
     return lines;
   }
 
+  static std::unique_ptr<TemporaryFolder> shared_;
+  static std::unique_ptr<Outcome> whole_;
   TemporaryFolder folder_;
 };
 
+std::unique_ptr<TemporaryFolder> Batch::shared_;
+std::unique_ptr<Outcome> Batch::whole_;
+
 TEST_F(Batch, LeavesWhatMatchDoesForEachPair) {
-  const Outcome outcome = all("out");
-  ASSERT_EQ(outcome.exit_code, kNothingToDo) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("6 of 6 pairs matched"));
-  ASSERT_EQ(run({"match", path("shapes/c.off"), path("shapes/a.off"), "-o", path("one")}).exit_code,
-            0);
-  EXPECT_EQ(map("out/c__a"), map("one"));
-  EXPECT_EQ(read_file(path("out/c__a/registered.ply")), read_file(path("one/registered.ply")));
+  ASSERT_EQ(whole_->exit_code, kNothingToDo) << whole_->errors;
+  EXPECT_THAT(whole_->output, HasSubstr("6 of 6 pairs matched"));
+  ASSERT_EQ(run({"match", shape("c.off"), shape("a.off"), "-o", path("one")}).exit_code, 0);
+  EXPECT_EQ(map(shared_->path("whole/c__a")), map(path("one")));
+  EXPECT_EQ(read_file(shared_->path("whole/c__a/registered.ply")),
+            read_file(path("one/registered.ply")));
+  copy_whole("out");
   const std::vector<std::string> table = lines("out/pairs.csv");
   ASSERT_EQ(table.size(), 7);
   EXPECT_THAT(table[0], StartsWith("name,source,target,outcome,fit,"));
-  EXPECT_THAT(table[5], StartsWith("c__a," + path("shapes/c.off")));
+  EXPECT_THAT(table[5], StartsWith("c__a," + shape("c.off")));
   EXPECT_THAT(table[5], HasSubstr(",matched,good,"));
 }
 
 TEST_F(Batch, FailsThePairsOfABadFileAndNoOther) {
-  folder_.write("shapes/bad.off", "OFF\n3 1 0\n0 0 zero\n");
-  folder_.write(
-      "pairs.txt",
-      "shapes/a.off shapes/bad.off\nshapes/a.off shapes/b.off\nshapes/no.off shapes/b.off\n");
+  folder_.write("bad.off", "OFF\n3 1 0\n0 0 zero\n");
+  folder_.write("pairs.txt", shape("a.off") + " bad.off\n" + shape("a.off") + " " + shape("b.off") +
+                                 "\nno.off " + shape("b.off") + "\n");
   const Outcome outcome = batch("out", {path("pairs.txt")});
   EXPECT_EQ(outcome.exit_code, kPartlyFailed);
   EXPECT_THAT(outcome.errors, HasSubstr("2 of 3 pairs failed"));
@@ -101,7 +119,6 @@ TEST_F(Batch, FailsThePairsOfABadFileAndNoOther) {
 }
 
 TEST_F(Batch, GoesOnWhereItWasInterrupted) {
-  ASSERT_EQ(all("whole").exit_code, 0);
   int interrupted = 0;
   for (const int milliseconds : {300, 500, 700}) {
     const Outcome outcome = all("out", {"--resume", "--threads", "1"},
@@ -112,22 +129,22 @@ TEST_F(Batch, GoesOnWhereItWasInterrupted) {
   }
   EXPECT_GT(interrupted, 0);
   ASSERT_EQ(all("out", {"--resume"}).exit_code, 0);
-  expect_same_maps("out", "whole");
+  expect_maps_of_whole("out");
 }
 
 TEST_F(Batch, KeepsWhatIsFinished) {
-  ASSERT_EQ(all("out").exit_code, 0);
+  copy_whole("out");
   const auto written = fs::last_write_time(path("out/b__c/report.json"));
   fs::remove_all(path("out/a__b"));
   const Outcome outcome = all("out", {"--resume"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.output, HasSubstr("b__c: good fit (earlier)"));
   EXPECT_EQ(fs::last_write_time(path("out/b__c/report.json")), written);
-  EXPECT_TRUE(fs::exists(path("out/a__b/report.json")));
+  expect_maps_of_whole("out");
 }
 
 TEST_F(Batch, RefusesAFolderOfAnotherBatch) {
-  ASSERT_EQ(all("out").exit_code, 0);
+  copy_whole("out");
   const Outcome again = all("out");
   EXPECT_EQ(again.exit_code, kBadInput);
   EXPECT_THAT(again.errors, HasSubstr("holds a batch already: --resume goes on with it"));
@@ -136,27 +153,61 @@ TEST_F(Batch, RefusesAFolderOfAnotherBatch) {
   EXPECT_THAT(other.errors, HasSubstr("a batch of other options or of another version"));
 }
 
+/// Neither how many threads there are nor what is kept changes a map.
 TEST_F(Batch, SharesTogetherAreTheWhole) {
-  ASSERT_EQ(all("whole").exit_code, 0);
-  ASSERT_EQ(all("out", {"--shard", "1/2"}).exit_code, 0);
+  ASSERT_EQ(all("out", {"--shard", "1/2", "--threads", "1", "--memory", "0"}).exit_code, 0);
   EXPECT_EQ(lines("out/pairs-1-of-2.csv").size(), 4);
   const Outcome early = all("out", {"--merge"});
   EXPECT_EQ(early.exit_code, kPartlyFailed);
-  EXPECT_THAT(read_file(path("out/pairs.csv")), HasSubstr(",failed,,,,,,,,,,not matched yet"));
-  ASSERT_EQ(all("out", {"--shard", "2/2"}).exit_code, 0);
+  EXPECT_THAT(read_file(path("out/pairs.csv")), HasSubstr(",failed,,,,,,,,,,,not matched yet"));
+  ASSERT_EQ(all("out", {"--shard", "2/2", "--threads", "3"}).exit_code, 0);
   ASSERT_EQ(all("out", {"--merge"}).exit_code, 0);
   EXPECT_EQ(lines("out/pairs.csv").size(), 7);
-  expect_same_maps("out", "whole");
+  expect_maps_of_whole("out");
 }
 
-TEST_F(Batch, HasTheSameBytesWhateverIsKeptAndHoweverManyThreads) {
-  ASSERT_EQ(all("out", {"--threads", "1", "--memory", "0"}).exit_code, 0);
-  ASSERT_EQ(all("other", {"--threads", "3"}).exit_code, 0);
-  expect_same_maps("out", "other");
+TEST_F(Batch, DoesNotTakeResultsOfOtherShapesOrBrokenOnesForItsOwn) {
+  folder_.write("pairs.txt", shape("a.off") + " " + shape("b.off") + " x\n" + shape("a.off") + " " +
+                                 shape("c.off") + " y\n");
+  ASSERT_EQ(batch("out", {path("pairs.txt")}).exit_code, 0);
+  folder_.write("pairs.txt", shape("b.off") + " " + shape("a.off") + " x\n" + shape("a.off") + " " +
+                                 shape("c.off") + " y\n");
+  EXPECT_EQ(batch("out", {path("pairs.txt"), "--resume"}).exit_code, kPartlyFailed);
+  EXPECT_THAT(lines("out/pairs.csv")[1], HasSubstr("the result of other shapes or options"));
+  EXPECT_THAT(lines("out/pairs.csv")[2], HasSubstr(",matched,"));
+  for (const char* content : {"", "{", "{}", "null", "[]"}) {
+    folder_.write("out/x/report.json", content);
+    for (const char* way : {"--resume", "--merge"}) {
+      EXPECT_EQ(batch("out", {path("pairs.txt"), way}).exit_code, kPartlyFailed) << content;
+      EXPECT_THAT(lines("out/pairs.csv")[1], HasSubstr("it is no whole result; remove it"));
+      EXPECT_THAT(lines("out/pairs.csv")[2], HasSubstr(",matched,"));
+    }
+  }
+}
+
+TEST_F(Batch, OverwritesNeitherItsListNorFilesOfOthers) {
+  const std::string content = shape("a.off") + "," + shape("b.off") + "\n";
+  folder_.write("pairs.csv", content);
+  const Outcome list = batch("", {path("pairs.csv")});
+  EXPECT_EQ(list.exit_code, kBadInput);
+  EXPECT_EQ(read_file(path("pairs.csv")), content);
+  fs::create_directories(path("out"));
+  folder_.write("out/batch.log", "mine");
+  const Outcome log = all("out");
+  EXPECT_EQ(log.exit_code, kBadInput);
+  EXPECT_THAT(log.errors, HasSubstr("batch.log: isomatch did not write this file"));
+  EXPECT_EQ(read_file(path("out/batch.log")), "mine");
+}
+
+TEST_F(Batch, MergesNothingWhereThereIsNoBatch) {
+  const Outcome outcome = all("typo", {"--merge"});
+  EXPECT_EQ(outcome.exit_code, kBadInput);
+  EXPECT_THAT(outcome.errors, HasSubstr("holds no batch"));
+  EXPECT_FALSE(fs::exists(path("typo")));
 }
 
 TEST_F(Batch, RefusesSharesThatAreNone) {
-  for (const char* shard : {"0/2", "3/2", "1", "1/2x", "a/b"}) {
+  for (const char* shard : {"0/2", "3/2", "1", "1/2x", "a/b", " 1/2", "1/99999999999"}) {
     const Outcome outcome = all("out", {"--shard", shard});
     EXPECT_EQ(outcome.exit_code, kBadInput) << shard;
     EXPECT_THAT(outcome.errors, HasSubstr("--shard: expected I/N")) << shard;
