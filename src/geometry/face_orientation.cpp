@@ -8,6 +8,7 @@
 #include <numeric>
 #include <span>
 
+#include "geometry/hat_gradients.h"
 #include "isomatch/mesh/topology.h"
 
 namespace isomatch {
@@ -20,6 +21,18 @@ bool is_ascending(const Mesh& mesh, const EdgeSide& side) {
 
 bool is_inconsistent(const Mesh& mesh, Sides edge) {
   return edge.size() == 2 && is_ascending(mesh, edge[0]) == is_ascending(mesh, edge[1]);
+}
+
+std::vector<Hinge> hinges(const Mesh& mesh) {
+  std::vector<Hinge> hinges;
+  for_each_edge(sorted_edge_sides(mesh), [&](Sides edge) {
+    if (edge.size() != 2) return;
+    const Hinge hinge{edge[0].face, edge[1].face, is_inconsistent(mesh, edge) ? -1.0 : 1.0};
+    const Point normal = area_vector(mesh.vertices, mesh.faces[hinge.f]);
+    if (hinge.sign * normal.dot(area_vector(mesh.vertices, mesh.faces[hinge.g])) > 0)
+      hinges.push_back(hinge);
+  });
+  return hinges;
 }
 
 DisjointSets orientation_cover(const Mesh& mesh, Sides sides) {

@@ -18,6 +18,15 @@ bool is_ascending(const Mesh& mesh, const EdgeSide& side);
 /// ways.
 bool is_inconsistent(const Mesh& mesh, std::span<const EdgeSide> edge);
 
+/// Two faces across an edge of two; the sign is -1 if they face opposite ways.
+struct Hinge {
+  int f, g;
+  double sign;
+};
+
+/// Those of a mesh whose faces, turned the same way, are less than a right angle apart. O(N log N).
+std::vector<Hinge> hinges(const Mesh& mesh);
+
 /// The orientation double cover: each face stands twice, as it is (2 f) and turned over (2 f + 1),
 /// united across edges of two faces with the neighbours that face the same way. A patch is
 /// one-sided if both are in one set. `sides` are the `sorted_edge_sides`.

@@ -12,7 +12,6 @@
 #include "geometry/face_tree.h"
 #include "geometry/hat_gradients.h"
 #include "isomatch/error.h"
-#include "isomatch/mesh/topology.h"
 #include "parallel.h"
 
 namespace isomatch {
@@ -36,16 +35,11 @@ double sum(const std::vector<double>& values) {
 
 double folded_share(const Mesh& source, const Mesh& registered, const std::vector<double>& areas) {
   std::vector<bool> folded(areas.size(), false);
-  for_each_edge(sorted_edge_sides(source), [&](std::span<const EdgeSide> edge) {
-    if (edge.size() != 2) return;
-    const int f = edge[0].face, g = edge[1].face;
-    const double sign = is_inconsistent(source, edge) ? -1 : 1;
-    const auto cosine = [&](const Mesh& mesh) {
-      return sign * area_vector(mesh.vertices, mesh.faces[f])
-                        .dot(area_vector(mesh.vertices, mesh.faces[g]));
-    };
-    if (cosine(source) > 0 && cosine(registered) < 0) folded[f] = folded[g] = true;
-  });
+  for (const auto& [f, g, sign] : hinges(source)) {
+    const Point normal = area_vector(registered.vertices, source.faces[f]);
+    if (sign * normal.dot(area_vector(registered.vertices, source.faces[g])) < 0)
+      folded[f] = folded[g] = true;
+  }
   double count = 0, of = 0;
   for (std::size_t f = 0; f < areas.size(); ++f) {
     if (areas[f] == 0) continue;

@@ -4,26 +4,16 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 
-#include "geometry/face_orientation.h"
 #include "geometry/hat_gradients.h"
-#include "isomatch/mesh/topology.h"
 
 namespace isomatch::tracked {
 
-Faults::Faults(const Mesh& rest) : rest_(rest) {
+Faults::Faults(const Mesh& rest) : rest_(rest), hinges_(hinges(rest)) {
   for (const Face& face : rest.faces) {
     areas_.push_back(area_vector(rest.vertices, face).norm());
     total_ += areas_.back();
   }
-  for_each_edge(sorted_edge_sides(rest), [&](std::span<const EdgeSide> edge) {
-    if (edge.size() != 2) return;
-    const Hinge hinge{edge[0].face, edge[1].face, is_inconsistent(rest, edge) ? -1.0 : 1.0};
-    const Point normal = area_vector(rest.vertices, rest.faces[hinge.f]);
-    if (hinge.sign * normal.dot(area_vector(rest.vertices, rest.faces[hinge.g])) > 0)
-      hinges_.push_back(hinge);
-  });
 }
 
 std::vector<double> Faults::operator()(const std::vector<Point>& positions) const {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/face_orientation.h"
 #include "isomatch/mesh/mesh.h"
 
 namespace isomatch::tracked {
@@ -18,12 +19,6 @@ class Faults {
   std::vector<double> operator()(const std::vector<Point>& positions) const;
 
  private:
-  /// Two faces across an edge, which do not face opposite ways at rest; the sign is -1 if their
-  /// corners run in opposite directions.
-  struct Hinge {
-    int f, g;
-    double sign;
-  };
   const Mesh& rest_;
   std::vector<double> areas_;
   double total_ = 0;
