@@ -91,13 +91,14 @@ PairSummary summary_of(const Json& report) {
 
 class Batch {
  public:
-  Batch(const std::vector<ListedPair>& pairs, const BatchFolder& folder,
+  Batch(const std::vector<ListedPair>& pairs, const BatchFolder& folder, ResultStore& store,
         const BatchOptions& options, const Context& context)
       : pairs_(pairs),
         folder_(folder),
+        store_(store),
         options_(options),
         stop_(context.stop),
-        store_(options.memory) {}
+        shapes_(options.memory) {}
 
   void work() {
     try {
@@ -123,14 +124,14 @@ class Batch {
       if (!report) report = matched(pair);
       outcome.summary = summary_of(*report);
     } catch (const Cancelled&) {
-      folder_.abandon(pair.name);
+      store_.abandon(pair.name);
       throw;
     } catch (const std::bad_alloc&) {
       outcome.error = "out of memory";
     } catch (const std::exception& error) {
       outcome.error = error.what();
     }
-    if (!outcome.matched()) folder_.abandon(pair.name);
+    if (!outcome.matched()) store_.abandon(pair.name);
     return outcome;
   }
 
@@ -140,29 +141,30 @@ class Batch {
     alone.check_stop();
     TrackedRun run{{options_.words,
                     std::filesystem::current_path().string(),
-                    store_.get(pair.source),
-                    store_.get(pair.target),
+                    shapes_.get(pair.source),
+                    shapes_.get(pair.target),
                     {}},
                    batch_options_json(options_)};
     run.target_to_source = options_.target_to_source;
     run.result =
         match_tracked(run.inputs.source.shape, run.inputs.target.shape, options_.matching, alone);
     run.fits = fits_of(run.inputs, run.result, alone);
-    folder_.abandon(pair.name);
+    store_.abandon(pair.name);
     Json report =
-        write_tracked({folder_.place_for(pair.name),
+        write_tracked({store_.place_for(pair.name),
                        tracked_files(options_.matching.alternatives, options_.target_to_source),
                        InputFiles({pair.source, pair.target})},
                       run);
-    if (!folder_.finish(pair.name)) return folder_.report_of(pair).value();
+    if (!store_.finish(pair.name)) return folder_.again().report_of(pair).value();
     return report;
   }
 
   const std::vector<ListedPair>& pairs_;
   const BatchFolder& folder_;
+  ResultStore& store_;
   const BatchOptions& options_;
   std::stop_token stop_;
-  ShapeStore store_;
+  ShapeStore shapes_;
   std::atomic<std::size_t> next_ = 0;
   Outcomes outcomes_;
 };
@@ -193,11 +195,12 @@ Json batch_options_json(const BatchOptions& options) {
 }
 
 std::vector<PairOutcome> match_pairs(const std::vector<ListedPair>& pairs,
-                                     const BatchFolder& folder, const BatchOptions& options,
+                                     const BatchFolder& folder, ResultStore& store,
+                                     const BatchOptions& options,
                                      const std::function<void(const PairOutcome&)>& tell,
                                      const Context& context) {
   std::vector<PairOutcome> outcomes(pairs.size());
-  Batch batch(pairs, folder, options, context);
+  Batch batch(pairs, folder, store, options, context);
   {
     std::vector<std::jthread> threads;
     try {

@@ -11,6 +11,7 @@
 #include "isomatch/methods/tracked.h"
 #include "results/batch/batch_folder.h"
 #include "results/batch/pair_list.h"
+#include "results/batch/result_store.h"
 #include "results/json.h"
 
 namespace isomatch::results {
@@ -50,13 +51,14 @@ struct PairOutcome {
 Json batch_options_json(const BatchOptions& options);
 
 /// Matches the pairs, each on one thread, as many at a time as there are threads, and leaves the
-/// results of each in the folder of its name, see `write_tracked`. A shape is read and prepared
+/// results of each, see `write_tracked`, in `store`. A shape is read and prepared
 /// once, as long as memory lasts. What is wrong with a file fails its pairs and no other. Pairs
 /// that are finished are passed over. `tell` is called from the calling thread, once for each pair,
 /// as they end; the result has them in the order of the list. Throws `Cancelled` after a stop: then
 /// pairs that are not finished have left nothing.
 std::vector<PairOutcome> match_pairs(const std::vector<ListedPair>& pairs,
-                                     const BatchFolder& folder, const BatchOptions& options,
+                                     const BatchFolder& folder, ResultStore& store,
+                                     const BatchOptions& options,
                                      const std::function<void(const PairOutcome&)>& tell,
                                      const Context& context);
 

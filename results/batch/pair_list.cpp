@@ -94,7 +94,8 @@ std::string name_of(const std::string& source, const std::string& target) {
 
 /// Files of the batch itself have such names.
 bool is_reserved(const std::string& name) {
-  return (name.starts_with("pairs") && name.ends_with(".csv")) ||
+  return (name.starts_with("results") && name.find(".sqlar") != std::string::npos) ||
+         (name.starts_with("pairs") && name.ends_with(".csv")) ||
          (name.starts_with("batch") && (name.ends_with(".log") || name.ends_with(".json")));
 }
 
