@@ -22,6 +22,7 @@
 #include "program/say.h"
 #include "results/batch/pair_list.h"
 #include "results/batch/result_store.h"
+#include "results/batch/shares.h"
 #include "results/files/input_files.h"
 
 namespace isomatch::cli {

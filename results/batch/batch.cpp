@@ -18,6 +18,7 @@
 
 #include "isomatch/error.h"
 #include "results/batch/shape_store.h"
+#include "results/batch/shares.h"
 #include "results/folder/report.h"
 #include "results/folder/tracked_output.h"
 #include "results/folder/verdict.h"
@@ -94,6 +95,7 @@ class Batch {
   Batch(const std::vector<ListedPair>& pairs, const BatchFolder& folder, ResultStore& store,
         const BatchOptions& options, const Context& context)
       : pairs_(pairs),
+        order_(order_of_work(pairs)),
         folder_(folder),
         store_(store),
         options_(options),
@@ -102,8 +104,8 @@ class Batch {
 
   void work() {
     try {
-      for (std::size_t place = next_++; place < pairs_.size(); place = next_++)
-        outcomes_.put(place, outcome(pairs_[place]));
+      for (std::size_t k = next_++; k < order_.size(); k = next_++)
+        outcomes_.put(order_[k], outcome(pairs_[order_[k]]));
     } catch (...) {
       begin_no_more();
       outcomes_.give_up(std::current_exception());
@@ -111,7 +113,7 @@ class Batch {
   }
 
   /// Threads end with the pair that they are at.
-  void begin_no_more() { next_ = pairs_.size(); }
+  void begin_no_more() { next_ = order_.size(); }
 
   Outcomes& outcomes() { return outcomes_; }
 
@@ -160,6 +162,7 @@ class Batch {
   }
 
   const std::vector<ListedPair>& pairs_;
+  const std::vector<std::size_t> order_;
   const BatchFolder& folder_;
   ResultStore& store_;
   const BatchOptions& options_;
