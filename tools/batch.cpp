@@ -23,6 +23,7 @@
 #include "results/batch/pair_list.h"
 #include "results/batch/result_store.h"
 #include "results/batch/shares.h"
+#include "results/batch/truth_folder.h"
 #include "results/files/input_files.h"
 
 namespace isomatch::cli {
@@ -126,6 +127,7 @@ void run_batch(const BatchCommand& batch, bool quiet, const Context& context) {
     const results::BatchFolder folder(batch.folder, common);
     return finish(folder, "pairs.csv", results::finished_pairs(all, folder), quiet);
   }
+  results::check_truth(options.truth, all);
   const std::string suffix =
       batch.shard.empty() ? "" : fmt::format("-{}-of-{}", shard.share, shard.count);
   const std::string table = "pairs" + suffix + ".csv", log_name = "batch" + suffix + ".log";
@@ -190,6 +192,11 @@ void add_batch(CLI::App& app, Request& request) {
       ->type_name("GIB")
       ->check(CLI::Range(0.0, kMostGiB))
       ->capture_default_str();
+  command
+      .add_option("--truth", batch->options.truth,
+                  "Folder with ground truth, NAME.vts for each shape NAME; measures each map that "
+                  "is made now against it, for pairs.csv")
+      ->type_name("FOLDER");
   add_tracked_options(command, "Options of every match", batch->options.matching,
                       batch->options.target_to_source);
   add_run_options(command, request);

@@ -19,6 +19,7 @@
 #include "isomatch/error.h"
 #include "results/batch/shape_store.h"
 #include "results/batch/shares.h"
+#include "results/batch/truth_folder.h"
 #include "results/folder/report.h"
 #include "results/folder/tracked_output.h"
 #include "results/folder/verdict.h"
@@ -70,6 +71,12 @@ std::string all_of(const Json& sentences, const std::string& before = "") {
   return all;
 }
 
+/// None where the report has none.
+std::optional<double> figure(const Json& report, const char* name) {
+  const Json value = report.value(name, Json());
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
 PairSummary summary_of(const Json& report) {
   const Json& fit = report.at("fit");
   PairSummary summary;
@@ -85,6 +92,9 @@ PairSummary summary_of(const Json& report) {
   summary.stretch = fit.at("stretch").get<double>();
   summary.unreached = fit.at("unreached").get<double>();
   summary.ambiguity = report.at("ambiguity").get<double>();
+  summary.mean_confidence = figure(report, "mean_confidence");
+  summary.point_error = figure(report, "point_error_over_sqrt_area");
+  summary.peak_memory_mib = report.at("peak_memory_mib").get<double>();
   summary.mirrored = report.at("map").at("mirrored").get<bool>();
   for (const Json& stage : report.at("seconds")) summary.seconds += stage.get<double>();
   return summary;
@@ -148,9 +158,14 @@ class Batch {
                     {}},
                    batch_options_json(options_)};
     run.target_to_source = options_.target_to_source;
-    run.result =
-        match_tracked(run.inputs.source.shape, run.inputs.target.shape, options_.matching, alone);
+    const Shape &source = run.inputs.source.shape, &target = run.inputs.target.shape;
+    // Before the work, so that a bad file costs none.
+    const TruthVertices truth = read_truth(truth_files(options_.truth, pair),
+                                           {source.num_vertices(), target.num_vertices()});
+    run.result = match_tracked(source, target, options_.matching, alone);
     run.fits = fits_of(run.inputs, run.result, alone);
+    run.point_error =
+        mean_point_error(source, target, truth, run.result.maps.front().source_to_target, alone);
     store_.abandon(pair.name);
     Json report =
         write_tracked({store_.place_for(pair.name),

@@ -70,6 +70,16 @@ class Batch : public testing::Test {
     return lines;
   }
 
+  /// What a table has in a column of its first pair; for tables without quotes.
+  std::string column(const std::string& table, const std::string& name) const {
+    std::istringstream names(lines(table).at(0)), values(lines(table).at(1));
+    for (std::string field, value;
+         std::getline(names, field, ',') && std::getline(values, value, ',');)
+      if (field == name) return value;
+    ADD_FAILURE() << table << " has no column " << name;
+    return "0";
+  }
+
   inline static std::unique_ptr<TemporaryFolder> shared_;
   inline static std::unique_ptr<Outcome> whole_;
   TemporaryFolder folder_;

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,36 @@ TEST_F(Batch, LeavesWhatMatchDoesForEachPair) {
   EXPECT_THAT(table[0], StartsWith("name,source,target,outcome,fit,"));
   EXPECT_THAT(table[5], StartsWith("c__a," + shape("c.off")));
   EXPECT_THAT(table[5], HasSubstr(",matched,good,"));
+}
+
+/// The same error as by `isomatch eval`; the maps know nothing of it.
+TEST_F(Batch, MeasuresAgainstTheTruth) {
+  fs::create_directories(path("truth"));
+  for (int pose = 0; pose < 2; ++pose) {
+    std::string content;
+    for (const int vertex : synthesize({.vertices = 1000, .pose = pose, .seed = 3}).ground_truth)
+      content += std::to_string(vertex + 1) + "\n";
+    folder_.write(pose == 0 ? "truth/a.vts" : "truth/b.vts", content);
+  }
+  folder_.write("pairs.txt", shape("a.off") + " " + shape("b.off") + "\n");
+  ASSERT_EQ(batch("out", {path("pairs.txt"), "--truth", path("truth")}).exit_code, 0);
+  EXPECT_EQ(map(path("out/a__b")), map(shared_->path("whole/a__b")));
+  const Outcome eval =
+      run({"eval", shape("a.off"), shape("b.off"), path("out/a__b/source_to_target.bary.txt"),
+           "--gt-source", path("truth/a.vts"), "--gt-target", path("truth/b.vts"), "--json"});
+  const auto json = nlohmann::json::parse(eval.output);
+  const double mean = json["ground_truth"]["point_error_over_sqrt_area"]["mean"];
+  EXPECT_GT(mean, 0);
+  EXPECT_NEAR(std::stod(column("out/pairs.csv", "point_error_over_sqrt_area")), mean,
+              1e-5 * mean);
+  EXPECT_GT(std::stod(column("out/pairs.csv", "peak_memory_mib")), 5);
+  const double confidence = std::stod(column("out/pairs.csv", "mean_confidence"));
+  EXPECT_GT(confidence, 0.2);
+  EXPECT_LE(confidence, 1);
+  const Outcome missing = all("other", {"--truth", path("truth")});
+  EXPECT_EQ(missing.exit_code, kBadInput);
+  EXPECT_THAT(missing.errors, HasSubstr("c.vts: is not there: --truth needs one for"));
+  EXPECT_FALSE(fs::exists(path("other")));
 }
 
 TEST_F(Batch, FailsThePairsOfABadFileAndNoOther) {
@@ -96,7 +127,7 @@ TEST_F(Batch, SharesTogetherAreTheWhole) {
   EXPECT_EQ(lines("out/pairs-1-of-2.csv").size(), 4);
   const Outcome early = all("out", {"--merge"});
   EXPECT_EQ(early.exit_code, kPartlyFailed);
-  EXPECT_THAT(read_file(path("out/pairs.csv")), HasSubstr(",failed,,,,,,,,,,,not matched yet"));
+  EXPECT_THAT(read_file(path("out/pairs.csv")), HasSubstr(",failed,,,,,,,,,,,,,,not matched yet"));
   ASSERT_EQ(all("out", {"--shard", "2/2", "--threads", "3"}).exit_code, 0);
   ASSERT_EQ(all("out", {"--merge"}).exit_code, 0);
   EXPECT_EQ(lines("out/pairs.csv").size(), 7);
