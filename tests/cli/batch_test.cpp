@@ -57,8 +57,7 @@ TEST_F(Batch, MeasuresAgainstTheTruth) {
   const auto json = nlohmann::json::parse(eval.output);
   const double mean = json["ground_truth"]["point_error_over_sqrt_area"]["mean"];
   EXPECT_GT(mean, 0);
-  EXPECT_NEAR(std::stod(column("out/pairs.csv", "point_error_over_sqrt_area")), mean,
-              1e-5 * mean);
+  EXPECT_NEAR(std::stod(column("out/pairs.csv", "point_error_over_sqrt_area")), mean, 1e-5 * mean);
   EXPECT_GT(std::stod(column("out/pairs.csv", "peak_memory_mib")), 5);
   const double confidence = std::stod(column("out/pairs.csv", "mean_confidence"));
   EXPECT_GT(confidence, 0.2);
