@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -34,6 +35,19 @@ class PackedBatch : public Batch {
     const Outcome outcome =
         run({"batch", "--all", shared_->path("shapes"), "-o", shared_->path("packed"), "--packed"});
     EXPECT_EQ(outcome.exit_code, kNothingToDo) << outcome.errors;
+  }
+
+  // Temporary files of processes that are killed go where all else is removed.
+  void SetUp() override {
+    if (const char* const before = std::getenv("TMPDIR")) before_ = before;
+    fs::create_directories(path("tmp"));
+    setenv("TMPDIR", path("tmp").c_str(), 1);
+  }
+  void TearDown() override {
+    if (before_)
+      setenv("TMPDIR", before_->c_str(), 1);
+    else
+      unsetenv("TMPDIR");
   }
 
   /// A copy of all that is matched, in an archive.
@@ -88,6 +102,9 @@ class PackedBatch : public Batch {
       EXPECT_THAT(outcome.errors, HasSubstr(message)) << way;
     }
   }
+
+ private:
+  std::optional<std::string> before_;
 };
 
 TEST_F(PackedBatch, HoldsTheBytesThatFoldersDo) {
@@ -115,22 +132,14 @@ TEST_F(PackedBatch, HoldsTheBytesThatFoldersDo) {
 }
 
 TEST_F(PackedBatch, LeavesNothingAmongTemporaryFiles) {
-  fs::create_directories(path("tmp"));
-  const char* const before = std::getenv("TMPDIR");
-  const std::string kept = before ? before : "";
-  setenv("TMPDIR", path("tmp").c_str(), 1);
   folder_.write("pairs.txt",
                 shape("a.off") + " " + shape("b.off") + "\n" + shape("a.off") + " no.off\n");
   EXPECT_EQ(batch("failed", {path("pairs.txt"), "--packed"}).exit_code, kPartlyFailed);
   EXPECT_EQ(packed("stopped", {}, {.interrupt_after = std::chrono::milliseconds(300)}).exit_code,
             128 + SIGINT);
   EXPECT_THAT(names_in("tmp"), testing::IsEmpty());
-  setenv("TMPDIR", path("none").c_str(), 1);
+  fs::remove(path("tmp"));
   const Outcome outcome = packed("nowhere");
-  if (before)
-    setenv("TMPDIR", kept.c_str(), 1);
-  else
-    unsetenv("TMPDIR");
   EXPECT_EQ(outcome.exit_code, kBadInput);
   EXPECT_THAT(outcome.errors, HasSubstr("TMPDIR"));
 }
