@@ -15,6 +15,7 @@ if(ISOMATCH_BUILD_TOOLS)
   find_package(CLI11 REQUIRED)
   find_package(libjpeg-turbo REQUIRED)
   find_package(PNG REQUIRED)
+  find_package(SQLite3 REQUIRED)
 endif()
 if(ISOMATCH_BUILD_PYTHON)
   # Another Python that comes first in PATH need not have what Debian's has.

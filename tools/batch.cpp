@@ -21,6 +21,9 @@
 #include "program/partly_failed.h"
 #include "program/say.h"
 #include "results/batch/pair_list.h"
+#include "results/batch/result_store.h"
+#include "results/batch/shares.h"
+#include "results/batch/truth_folder.h"
 #include "results/files/input_files.h"
 
 namespace isomatch::cli {
@@ -31,7 +34,7 @@ struct BatchCommand {
   std::vector<std::string> star;
   /// Share and number of shares, or empty.
   std::string shard;
-  bool resume = false, merge = false;
+  bool resume = false, merge = false, packed = false;
   double memory_gib = 1;
   results::BatchOptions options;
 };
@@ -124,16 +127,22 @@ void run_batch(const BatchCommand& batch, bool quiet, const Context& context) {
     const results::BatchFolder folder(batch.folder, common);
     return finish(folder, "pairs.csv", results::finished_pairs(all, folder), quiet);
   }
+  results::check_truth(options.truth, all);
   const std::string suffix =
       batch.shard.empty() ? "" : fmt::format("-{}-of-{}", shard.share, shard.count);
   const std::string table = "pairs" + suffix + ".csv", log_name = "batch" + suffix + ".log";
-  refuse_list_as_output(batch, {table, log_name});
-  const auto folder = results::BatchFolder::begun(batch.folder, common, {table, log_name},
+  const std::string archive = "results" + suffix + ".sqlar";
+  std::vector<std::string> files{table, log_name};
+  if (batch.packed) files.push_back(archive);
+  refuse_list_as_output(batch, files);
+  const auto folder = results::BatchFolder::begun(batch.folder, common, files,
                                                   batch.resume || !batch.shard.empty());
+  const auto store = batch.packed ? results::archive_store(folder.path_of(archive))
+                                  : results::folder_store(batch.folder);
   const Log log(folder.path_of(log_name), quiet);
   finish(folder, table,
-         results::match_pairs(results::share_of(all, shard.share, shard.count), folder, options,
-                              std::cref(log), context),
+         results::match_pairs(results::share_of(all, shard.share, shard.count), folder, *store,
+                              options, std::cref(log), context),
          quiet);
 }
 
@@ -162,7 +171,7 @@ void add_batch(CLI::App& app, Request& request) {
   add_pair_options(command, *batch);
   command
       .add_option("-o,--output", batch->folder,
-                  "Folder for the results: a folder a pair, pairs.csv and batch.log")
+                  "Folder for the results: a folder a pair, or an archive; pairs.csv and batch.log")
       ->type_name("DIR")
       ->required();
   command.add_flag("--resume", batch->resume,
@@ -172,6 +181,9 @@ void add_batch(CLI::App& app, Request& request) {
                   "Match one of N shares of the pairs only, which may run at the same time; "
                   "implies --resume")
       ->type_name("I/N");
+  command.add_flag("--packed", batch->packed,
+                   "All results in one file, results.sqlar or that of a share, instead of a folder "
+                   "a pair; `sqlite3 -A` extracts them");
   command.add_flag("--merge", batch->merge, "Match nothing, write pairs.csv of what is finished")
       ->excludes("--shard");
   constexpr double kMostGiB = 1e6;
@@ -180,6 +192,11 @@ void add_batch(CLI::App& app, Request& request) {
       ->type_name("GIB")
       ->check(CLI::Range(0.0, kMostGiB))
       ->capture_default_str();
+  command
+      .add_option("--truth", batch->options.truth,
+                  "Folder with ground truth, NAME.vts for each shape NAME; measures each map that "
+                  "is made now against it, for pairs.csv")
+      ->type_name("FOLDER");
   add_tracked_options(command, "Options of every match", batch->options.matching,
                       batch->options.target_to_source);
   add_run_options(command, request);

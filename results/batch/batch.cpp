@@ -18,6 +18,8 @@
 
 #include "isomatch/error.h"
 #include "results/batch/shape_store.h"
+#include "results/batch/shares.h"
+#include "results/batch/truth_folder.h"
 #include "results/folder/report.h"
 #include "results/folder/tracked_output.h"
 #include "results/folder/verdict.h"
@@ -69,6 +71,12 @@ std::string all_of(const Json& sentences, const std::string& before = "") {
   return all;
 }
 
+/// None where the report has none.
+std::optional<double> figure(const Json& report, const char* name) {
+  const Json value = report.value(name, Json());
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
 PairSummary summary_of(const Json& report) {
   const Json& fit = report.at("fit");
   PairSummary summary;
@@ -84,6 +92,9 @@ PairSummary summary_of(const Json& report) {
   summary.stretch = fit.at("stretch").get<double>();
   summary.unreached = fit.at("unreached").get<double>();
   summary.ambiguity = report.at("ambiguity").get<double>();
+  summary.mean_confidence = figure(report, "mean_confidence");
+  summary.point_error = figure(report, "point_error_over_sqrt_area");
+  summary.peak_memory_mib = report.at("peak_memory_mib").get<double>();
   summary.mirrored = report.at("map").at("mirrored").get<bool>();
   for (const Json& stage : report.at("seconds")) summary.seconds += stage.get<double>();
   return summary;
@@ -91,18 +102,20 @@ PairSummary summary_of(const Json& report) {
 
 class Batch {
  public:
-  Batch(const std::vector<ListedPair>& pairs, const BatchFolder& folder,
+  Batch(const std::vector<ListedPair>& pairs, const BatchFolder& folder, ResultStore& store,
         const BatchOptions& options, const Context& context)
       : pairs_(pairs),
+        order_(order_of_work(pairs)),
         folder_(folder),
+        store_(store),
         options_(options),
         stop_(context.stop),
-        store_(options.memory) {}
+        shapes_(options.memory) {}
 
   void work() {
     try {
-      for (std::size_t place = next_++; place < pairs_.size(); place = next_++)
-        outcomes_.put(place, outcome(pairs_[place]));
+      for (std::size_t k = next_++; k < order_.size(); k = next_++)
+        outcomes_.put(order_[k], outcome(pairs_[order_[k]]));
     } catch (...) {
       begin_no_more();
       outcomes_.give_up(std::current_exception());
@@ -110,7 +123,7 @@ class Batch {
   }
 
   /// Threads end with the pair that they are at.
-  void begin_no_more() { next_ = pairs_.size(); }
+  void begin_no_more() { next_ = order_.size(); }
 
   Outcomes& outcomes() { return outcomes_; }
 
@@ -123,14 +136,14 @@ class Batch {
       if (!report) report = matched(pair);
       outcome.summary = summary_of(*report);
     } catch (const Cancelled&) {
-      folder_.abandon(pair.name);
+      store_.abandon(pair.name);
       throw;
     } catch (const std::bad_alloc&) {
       outcome.error = "out of memory";
     } catch (const std::exception& error) {
       outcome.error = error.what();
     }
-    if (!outcome.matched()) folder_.abandon(pair.name);
+    if (!outcome.matched()) store_.abandon(pair.name);
     return outcome;
   }
 
@@ -140,29 +153,36 @@ class Batch {
     alone.check_stop();
     TrackedRun run{{options_.words,
                     std::filesystem::current_path().string(),
-                    store_.get(pair.source),
-                    store_.get(pair.target),
+                    shapes_.get(pair.source),
+                    shapes_.get(pair.target),
                     {}},
                    batch_options_json(options_)};
     run.target_to_source = options_.target_to_source;
-    run.result =
-        match_tracked(run.inputs.source.shape, run.inputs.target.shape, options_.matching, alone);
+    const Shape &source = run.inputs.source.shape, &target = run.inputs.target.shape;
+    // Before the work, so that a bad file costs none.
+    const TruthVertices truth = read_truth(truth_files(options_.truth, pair),
+                                           {source.num_vertices(), target.num_vertices()});
+    run.result = match_tracked(source, target, options_.matching, alone);
     run.fits = fits_of(run.inputs, run.result, alone);
-    folder_.abandon(pair.name);
+    run.point_error =
+        mean_point_error(source, target, truth, run.result.maps.front().source_to_target, alone);
+    store_.abandon(pair.name);
     Json report =
-        write_tracked({folder_.place_for(pair.name),
+        write_tracked({store_.place_for(pair.name),
                        tracked_files(options_.matching.alternatives, options_.target_to_source),
                        InputFiles({pair.source, pair.target})},
                       run);
-    if (!folder_.finish(pair.name)) return folder_.report_of(pair).value();
+    if (!store_.finish(pair.name)) return folder_.again().report_of(pair).value();
     return report;
   }
 
   const std::vector<ListedPair>& pairs_;
+  const std::vector<std::size_t> order_;
   const BatchFolder& folder_;
+  ResultStore& store_;
   const BatchOptions& options_;
   std::stop_token stop_;
-  ShapeStore store_;
+  ShapeStore shapes_;
   std::atomic<std::size_t> next_ = 0;
   Outcomes outcomes_;
 };
@@ -193,11 +213,12 @@ Json batch_options_json(const BatchOptions& options) {
 }
 
 std::vector<PairOutcome> match_pairs(const std::vector<ListedPair>& pairs,
-                                     const BatchFolder& folder, const BatchOptions& options,
+                                     const BatchFolder& folder, ResultStore& store,
+                                     const BatchOptions& options,
                                      const std::function<void(const PairOutcome&)>& tell,
                                      const Context& context) {
   std::vector<PairOutcome> outcomes(pairs.size());
-  Batch batch(pairs, folder, options, context);
+  Batch batch(pairs, folder, store, options, context);
   {
     std::vector<std::jthread> threads;
     try {

@@ -3,18 +3,16 @@
 #include "results/batch/batch_folder.h"
 
 #include <fmt/format.h>
-#include <signal.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <charconv>
+#include <algorithm>
 #include <fstream>
 #include <utility>
 
 #include "isomatch/error.h"
 #include "isomatch/io/atomic_file.h"
 #include "isomatch/version.h"
+#include "results/batch/sql_archive.h"
+#include "results/batch/unfinished.h"
 #include "results/files/outputs.h"
 #include "results/files/written_files.h"
 
@@ -24,54 +22,21 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kBatch = "batch.json";
-constexpr std::string_view kUnfinishedEnding = ".unfinished";
 
 void check(const fs::path& path, const char* what, const std::error_code& error) {
   if (error) throw BadFile(path.string(), fmt::format("cannot be {}: {}", what, error.message()));
 }
 
-/// Null where a file is no JSON.
-Json read_json(const fs::path& path) {
-  std::ifstream file(path);
-  const Json json = Json::parse(file, nullptr, false);
+/// Null where it is no JSON.
+template <class Text>
+Json parsed(Text&& text) {
+  Json json = Json::parse(std::forward<Text>(text), nullptr, false);
   return json.is_discarded() ? Json() : json;
 }
 
-std::string host() {
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
-}
-
-/// What unfinished results of processes of this machine end with, before the number of the process.
-std::string mark_of_host() { return fmt::format(".{}-", host()); }
-
-/// Hidden, so that no one takes it for results.
-std::string unfinished_name(const std::string& pair) {
-  return fmt::format(".{}{}{}{}", pair, mark_of_host(), getpid(), kUnfinishedEnding);
-}
-
-/// Whether such results are of a process of this machine that is gone.
-bool is_left_over(std::string_view name) {
-  const std::string mark = mark_of_host();
-  const auto at = name.rfind(mark);
-  if (!name.starts_with('.') || !name.ends_with(kUnfinishedEnding) || at == std::string_view::npos)
-    return false;
-  const std::string_view number =
-      name.substr(at + mark.size(), name.size() - at - mark.size() - kUnfinishedEnding.size());
-  int process = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), process);
-  return error == std::errc() && end == number.data() + number.size() && process != getpid() &&
-         kill(process, 0) != 0 && errno == ESRCH;
-}
-
-void remove_left_over(const fs::path& folder) {
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
-    std::error_code ignored;
-    if (is_left_over(entry->path().filename().string())) fs::remove_all(entry->path(), ignored);
-  }
+Json read_json(const fs::path& path) {
+  std::ifstream file(path);
+  return parsed(file);
 }
 
 Json batch_json(const Json& options) { return {{"isomatch", kVersion}, {"options", options}}; }
@@ -89,7 +54,22 @@ bool is_of(const Json& report, const ListedPair& pair, const Json& options) {
          same_file(before / get_path(report.at("target"), "file"), now / pair.target);
 }
 
+std::vector<fs::path> archives_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> archives;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    if (is_archive_name(entry->path().filename().string())) archives.push_back(entry->path());
+  check(folder, "read", error);
+  std::ranges::sort(archives);
+  return archives;
+}
+
 }  // namespace
+
+bool is_archive_name(const std::string& name) {
+  return name.starts_with("results") && name.ends_with(".sqlar");
+}
 
 BatchFolder::BatchFolder(const std::string& path, const Json& options)
     : path_(path), options_(options) {
@@ -98,6 +78,11 @@ BatchFolder::BatchFolder(const std::string& path, const Json& options)
   if (read_json(file) != batch_json(options))
     throw BadFile(path,
                   "holds a batch of other options or of another version: choose another folder");
+  const std::string ending = std::string("/") + kReport;
+  for (const fs::path& archive : archives_in(path_))
+    for (const std::string& name :
+         SqlArchive(archive.string(), SqlArchive::Access::kRead).names_with_ending(ending))
+      packed_.emplace(name.substr(0, name.size() - ending.size()), archive);
 }
 
 BatchFolder BatchFolder::begun(const std::string& path, const Json& options,
@@ -123,38 +108,23 @@ BatchFolder BatchFolder::begun(const std::string& path, const Json& options,
 }
 
 std::optional<Json> BatchFolder::report_of(const ListedPair& pair) const {
-  const fs::path folder = path_ / pair.name;
-  if (!is_taken(folder)) return std::nullopt;
-  const Json report = read_json(folder / kReport);
+  fs::path place = path_ / pair.name;
+  Json report;
+  if (is_taken(place)) {
+    report = read_json(place / kReport);
+  } else if (const auto packed = packed_.find(pair.name); packed != packed_.end()) {
+    const SqlArchive archive(packed->second.string(), SqlArchive::Access::kRead);
+    report = parsed(archive.content(pair.name + "/" + kReport).value_or(""));
+    place = packed->second / pair.name;
+  } else {
+    return std::nullopt;
+  }
   try {
     if (is_of(report, pair, options_)) return report;
   } catch (const Json::exception&) {
-    throw BadFile(folder.string(), "is in the way: it is no whole result; remove it");
+    throw BadFile(place.string(), "is in the way: it is no whole result; remove it");
   }
-  throw BadFile(folder.string(), "is in the way: it is the result of other shapes or options");
-}
-
-std::string BatchFolder::place_for(const std::string& pair) const {
-  return (path_ / unfinished_name(pair)).string();
-}
-
-bool BatchFolder::finish(const std::string& pair) const {
-  std::error_code error;
-  fs::rename(place_for(pair), path_ / pair, error);
-  if (error == std::errc::directory_not_empty || error == std::errc::file_exists) {
-    abandon(pair);
-    return false;
-  }
-  check(path_ / pair, "created", error);
-  return true;
-}
-
-void BatchFolder::abandon(const std::string& pair) const noexcept {
-  try {
-    std::error_code ignored;
-    fs::remove_all(place_for(pair), ignored);
-  } catch (...) {  // Out of memory: it stays, hidden.
-  }
+  throw BadFile(place.string(), "is in the way: it is the result of other shapes or options");
 }
 
 }  // namespace isomatch::results

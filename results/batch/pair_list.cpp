@@ -94,7 +94,8 @@ std::string name_of(const std::string& source, const std::string& target) {
 
 /// Files of the batch itself have such names.
 bool is_reserved(const std::string& name) {
-  return (name.starts_with("pairs") && name.ends_with(".csv")) ||
+  return (name.starts_with("results") && name.find(".sqlar") != std::string::npos) ||
+         (name.starts_with("pairs") && name.ends_with(".csv")) ||
          (name.starts_with("batch") && (name.ends_with(".log") || name.ends_with(".json")));
 }
 
@@ -193,13 +194,10 @@ std::vector<ListedPair> read_pairs(const std::string& path) {
 std::vector<ListedPair> all_pairs(const std::string& folder) {
   const std::vector<std::string> meshes = at_least_two(folder);
   Collector collector(folder);
-  std::vector<std::string> targets = meshes;
-  for (const std::string& source : meshes) {
-    for (const std::string& target : targets)
+  for (const std::string& source : meshes)
+    for (const std::string& target : meshes)
       if (source != target)
         collector.add({source, target, ""}, fmt::format("{} and {}", source, target));
-    std::ranges::reverse(targets);
-  }
   return std::move(collector).pairs();
 }
 
@@ -219,11 +217,6 @@ std::vector<ListedPair> chain_of_pairs(const std::string& folder) {
   for (std::size_t i = 1; i < meshes.size(); ++i)
     collector.add({meshes[i - 1], meshes[i], ""}, meshes[i]);
   return std::move(collector).pairs();
-}
-
-std::vector<ListedPair> share_of(const std::vector<ListedPair>& pairs, int share, int count) {
-  const auto end_of = [&](int k) { return pairs.begin() + std::ssize(pairs) * k / count; };
-  return {end_of(share - 1), end_of(share)};
 }
 
 }  // namespace isomatch::results

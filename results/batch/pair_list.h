@@ -22,15 +22,10 @@ struct ListedPair {
 /// name cannot be that of a folder or is there twice, and where there is no pair.
 std::vector<ListedPair> read_pairs(const std::string& path);
 
-/// Of all meshes in a folder, by their names: every ordered pair, whose targets come forwards and
-/// backwards in turn, so that those that were used last come next; `center` onto each of the
+/// Of all meshes in a folder, by their names: every ordered pair; `center` onto each of the
 /// others; each onto the next. Throw `BadFile` if the folder cannot be read or has too few meshes.
 std::vector<ListedPair> all_pairs(const std::string& folder);
 std::vector<ListedPair> star_of_pairs(const std::string& center, const std::string& folder);
 std::vector<ListedPair> chain_of_pairs(const std::string& folder);
-
-/// One of `count` shares, from 1, that together are all pairs: a run of neighbours, which have most
-/// shapes in common. Their sizes differ by one at most.
-std::vector<ListedPair> share_of(const std::vector<ListedPair>& pairs, int share, int count);
 
 }  // namespace isomatch::results

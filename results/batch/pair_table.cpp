@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "isomatch/io/atomic_file.h"
@@ -21,18 +23,27 @@ std::string field(std::string_view text) {
   return quoted + '"';
 }
 
+/// Empty where there is none.
+std::string figure(const std::optional<double>& value) {
+  return value ? fmt::format("{:.6g}", *value) : "";
+}
+
 std::string line(const PairOutcome& outcome) {
   const ListedPair& pair = outcome.pair;
   const std::string names =
       fmt::format("{},{},{}", field(pair.name), field(pair.source), field(pair.target));
-  if (!outcome.matched())
-    return fmt::format("{},failed,,,,,,,,,,,{}\n", names, field(outcome.error));
+  if (!outcome.matched()) {
+    constexpr int kColumnsOfMaps = 13;
+    return fmt::format("{},failed,{}{}\n", names, std::string(kColumnsOfMaps, ','),
+                       field(outcome.error));
+  }
   const PairSummary& summary = outcome.summary;
-  return fmt::format("{},matched,{},{},{},{:.6g},{:.6g},{:.6g},{},{},{},{:.3f},\n", names,
-                     summary.grade, summary.matched_vertices, summary.unmatched_vertices,
+  return fmt::format("{},matched,{},{},{},{:.6g},{:.6g},{:.6g},{},{},{},{},{},{:.3f},{:.1f},\n",
+                     names, summary.grade, summary.matched_vertices, summary.unmatched_vertices,
                      summary.stretch, summary.unreached, summary.ambiguity,
-                     summary.mirrored ? 1 : 0, field(summary.reasons), field(summary.warnings),
-                     summary.seconds);
+                     figure(summary.mean_confidence), summary.mirrored ? 1 : 0,
+                     figure(summary.point_error), field(summary.reasons), field(summary.warnings),
+                     summary.seconds, summary.peak_memory_mib);
 }
 
 }  // namespace
@@ -41,7 +52,8 @@ void write_pair_table(const std::string& path, const std::vector<PairOutcome>& o
   AtomicFile file(path);
   file.write(
       "name,source,target,outcome,fit,source_vertices_matched,source_vertices_unmatched,stretch,"
-      "unreached,ambiguity,mirrored,reasons,warnings,seconds,error\n");
+      "unreached,ambiguity,mean_confidence,mirrored,point_error_over_sqrt_area,reasons,warnings,"
+      "seconds,peak_memory_mib,error\n");
   for (const PairOutcome& outcome : outcomes) file.write(line(outcome));
   file.commit();
 }

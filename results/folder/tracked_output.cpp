@@ -100,6 +100,15 @@ Json landmarks_json(const std::vector<Match>& landmarks) {
   return json;
 }
 
+/// Of vertices that have a counterpart; null if there are none.
+Json mean_confidence_json(const TrackedMap& map) {
+  double sum = 0;
+  for (std::size_t v = 0; v < map.source_to_target.size(); ++v)
+    if (map.source_to_target[v].face != kNoFace) sum += map.source_confidence[v];
+  const int matched = matched_vertices(map);
+  return matched > 0 ? Json(sum / matched) : Json();
+}
+
 Json report_json(const TrackedRun& run, std::size_t num_matches,
                  const std::vector<StageTime>& times) {
   const TrackedResult& result = run.result;
@@ -107,6 +116,7 @@ Json report_json(const TrackedRun& run, std::size_t num_matches,
   Json report = report_head(run.inputs, run.options);
   report.update({{"source_vertices_matched", matched},
                  {"source_vertices_unmatched", run.inputs.source.mesh().num_vertices() - matched},
+                 {"mean_confidence", mean_confidence_json(result.maps.front())},
                  {"matches", num_matches},
                  {"map", map_json(result.maps.front())},
                  {"fit", to_json(run.fits.front())},
@@ -117,6 +127,7 @@ Json report_json(const TrackedRun& run, std::size_t num_matches,
                  {"contradicted_landmarks", landmarks_json(run.result.contradicted_landmarks)},
                  {"alternatives", alternatives_json(run)},
                  {"hypotheses", hypotheses_json(result.hypotheses)}});
+  if (run.point_error) report["point_error_over_sqrt_area"] = *run.point_error;
   report.update(report_tail(times));
   return report;
 }

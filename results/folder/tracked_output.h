@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "isomatch/methods/tracked.h"
@@ -21,6 +22,8 @@ struct TrackedRun {
   /// Of each map.
   std::vector<Fit> fits = {};
   bool target_to_source = false;
+  /// Of the best map, the mean relative to sqrt(area) of the target, where the truth is known.
+  std::optional<double> point_error = {};
 };
 
 /// Of the source, those that the map leads to a point.

@@ -5,13 +5,11 @@
 
 #include <chrono>
 #include <filesystem>
-#include <memory>
-#include <sstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "isomatch/io/mesh_io.h"
-#include "isomatch/mesh/synth.h"
+#include "batch_fixture.h"
 #include "program.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
@@ -26,66 +24,6 @@ using testing::StartsWith;
 
 constexpr int kNothingToDo = 0, kBadInput = 2, kPartlyFailed = 3, kInterrupted = 130;
 
-/// Three poses of a creature in a folder, and all of their pairs matched, once for all tests.
-class Batch : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    shared_ = std::make_unique<TemporaryFolder>();
-    fs::create_directories(shared_->path("shapes"));
-    for (int pose = 0; pose < 3; ++pose)
-      write_mesh(shape(std::string(1, static_cast<char>('a' + pose)) + ".off"),
-                 synthesize({.vertices = 1000, .pose = pose, .seed = 3}).mesh);
-    whole_ = std::make_unique<Outcome>(
-        run({"batch", "--all", shared_->path("shapes"), "-o", shared_->path("whole")}));
-  }
-  static void TearDownTestSuite() { shared_.reset(); }
-
-  static std::string shape(const std::string& name) { return shared_->path("shapes/" + name); }
-
-  std::string path(const std::string& name) const { return folder_.path(name); }
-
-  Outcome batch(const std::string& folder, std::vector<std::string> words,
-                const RunOptions& options = {}) const {
-    words.insert(words.begin(), "batch");
-    words.insert(words.end(), {"-o", path(folder)});
-    return run(words, options);
-  }
-  Outcome all(const std::string& folder, std::vector<std::string> words = {},
-              const RunOptions& options = {}) const {
-    words.insert(words.end(), {"--all", shared_->path("shapes")});
-    return batch(folder, words, options);
-  }
-
-  static std::string map(const std::string& folder) {
-    return read_file(folder + "/source_to_target.bary.txt");
-  }
-
-  void expect_maps_of_whole(const std::string& folder) const {
-    for (const char* pair : {"a__b", "a__c", "b__a", "b__c", "c__a", "c__b"})
-      EXPECT_EQ(map(path(folder) + "/" + pair), map(shared_->path("whole/") + pair)) << pair;
-  }
-
-  /// A copy of all that is matched.
-  void copy_whole(const std::string& folder) const {
-    fs::copy(shared_->path("whole"), path(folder), fs::copy_options::recursive);
-  }
-
-  /// Lines of a file, the first for column names.
-  std::vector<std::string> lines(const std::string& name) const {
-    std::vector<std::string> lines;
-    std::istringstream text(read_file(path(name)));
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-    return lines;
-  }
-
-  static std::unique_ptr<TemporaryFolder> shared_;
-  static std::unique_ptr<Outcome> whole_;
-  TemporaryFolder folder_;
-};
-
-std::unique_ptr<TemporaryFolder> Batch::shared_;
-std::unique_ptr<Outcome> Batch::whole_;
-
 TEST_F(Batch, LeavesWhatMatchDoesForEachPair) {
   ASSERT_EQ(whole_->exit_code, kNothingToDo) << whole_->errors;
   EXPECT_THAT(whole_->output, HasSubstr("6 of 6 pairs matched"));
@@ -99,6 +37,35 @@ TEST_F(Batch, LeavesWhatMatchDoesForEachPair) {
   EXPECT_THAT(table[0], StartsWith("name,source,target,outcome,fit,"));
   EXPECT_THAT(table[5], StartsWith("c__a," + shape("c.off")));
   EXPECT_THAT(table[5], HasSubstr(",matched,good,"));
+}
+
+/// The same error as by `isomatch eval`; the maps know nothing of it.
+TEST_F(Batch, MeasuresAgainstTheTruth) {
+  fs::create_directories(path("truth"));
+  for (int pose = 0; pose < 2; ++pose) {
+    std::string content;
+    for (const int vertex : synthesize({.vertices = 1000, .pose = pose, .seed = 3}).ground_truth)
+      content += std::to_string(vertex + 1) + "\n";
+    folder_.write(pose == 0 ? "truth/a.vts" : "truth/b.vts", content);
+  }
+  folder_.write("pairs.txt", shape("a.off") + " " + shape("b.off") + "\n");
+  ASSERT_EQ(batch("out", {path("pairs.txt"), "--truth", path("truth")}).exit_code, 0);
+  EXPECT_EQ(map(path("out/a__b")), map(shared_->path("whole/a__b")));
+  const Outcome eval =
+      run({"eval", shape("a.off"), shape("b.off"), path("out/a__b/source_to_target.bary.txt"),
+           "--gt-source", path("truth/a.vts"), "--gt-target", path("truth/b.vts"), "--json"});
+  const auto json = nlohmann::json::parse(eval.output);
+  const double mean = json["ground_truth"]["point_error_over_sqrt_area"]["mean"];
+  EXPECT_GT(mean, 0);
+  EXPECT_NEAR(std::stod(column("out/pairs.csv", "point_error_over_sqrt_area")), mean, 1e-5 * mean);
+  EXPECT_GT(std::stod(column("out/pairs.csv", "peak_memory_mib")), 5);
+  const double confidence = std::stod(column("out/pairs.csv", "mean_confidence"));
+  EXPECT_GT(confidence, 0.2);
+  EXPECT_LE(confidence, 1);
+  const Outcome missing = all("other", {"--truth", path("truth")});
+  EXPECT_EQ(missing.exit_code, kBadInput);
+  EXPECT_THAT(missing.errors, HasSubstr("c.vts: is not there: --truth needs one for"));
+  EXPECT_FALSE(fs::exists(path("other")));
 }
 
 TEST_F(Batch, FailsThePairsOfABadFileAndNoOther) {
@@ -159,7 +126,7 @@ TEST_F(Batch, SharesTogetherAreTheWhole) {
   EXPECT_EQ(lines("out/pairs-1-of-2.csv").size(), 4);
   const Outcome early = all("out", {"--merge"});
   EXPECT_EQ(early.exit_code, kPartlyFailed);
-  EXPECT_THAT(read_file(path("out/pairs.csv")), HasSubstr(",failed,,,,,,,,,,,not matched yet"));
+  EXPECT_THAT(read_file(path("out/pairs.csv")), HasSubstr(",failed,,,,,,,,,,,,,,not matched yet"));
   ASSERT_EQ(all("out", {"--shard", "2/2", "--threads", "3"}).exit_code, 0);
   ASSERT_EQ(all("out", {"--merge"}).exit_code, 0);
   EXPECT_EQ(lines("out/pairs.csv").size(), 7);

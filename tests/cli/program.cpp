@@ -81,7 +81,7 @@ Outcome run(const std::vector<std::string>& arguments, const RunOptions& options
   close(err.writer);
   if (options.interrupt_after) {
     std::this_thread::sleep_for(*options.interrupt_after);
-    kill(child, SIGINT);
+    kill(child, options.signal);
   }
   Outcome outcome;
   read_all(out.reader, err.reader, outcome);

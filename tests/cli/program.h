@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <csignal>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +26,9 @@ struct RunOptions {
   bool terminal = false;
   /// Standard output and standard error are the same terminal; all is in `Outcome::output`.
   bool all_on_terminal = false;
-  /// Send SIGINT this long after the start.
+  /// Send a signal this long after the start.
   std::optional<std::chrono::milliseconds> interrupt_after = std::nullopt;
+  int signal = SIGINT;
 };
 
 /// Runs `isomatch`, unless told otherwise, with `arguments` and empty standard input, and waits for
