@@ -103,7 +103,7 @@ program=$PWD/build/$preset/tools/isomatch
 sections=(build python wheel test)
 [ "$lint" != true ] || sections+=(lint)
 # Other presets make the program too slow for what only waits for it.
-[ "$preset" != dev ] || sections+=(browser docs)
+[ "$preset" != dev ] || sections+=(browser docs cluster)
 if [ "$preset" = tsan ]; then
   sections+=(tsan)
   # What libomp itself does is known from what it tells; libraries of the system are not looked into.
