@@ -16,7 +16,7 @@ finish() {
   rm -rf "$work"
 }
 trap finish EXIT
-make_pairs 4 "$work"
+make_pairs 5 "$work"
 cd "$work"
 
 shares() {

@@ -8,7 +8,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 repository=$here/../..
 isomatch=$1
-shapes=${2:-4}
+shapes=${2:-5}
 tasks=${3:-3}
 # shellcheck source=tests/cluster/pairs.sh
 . "$here/pairs.sh"
