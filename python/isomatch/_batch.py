@@ -167,11 +167,11 @@ def _memory_words(memory):
 
 
 def _run_alone(job, count, progress):
-    def done(lines):
+    def watch(lines):
         if progress and lines > 0:
             progress(min(lines, count) / count, f"{lines} of {count} pairs")
 
-    _batch_run.run(job, "--resume", log="batch.log", done=done)
+    _batch_run.run(job, "--resume", log="batch.log", watch=watch)
 
 
 @takes_options("tracked")

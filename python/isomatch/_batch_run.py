@@ -84,9 +84,10 @@ def _fail(code, message, job):
     raise RuntimeError(text or f"isomatch batch ended with {code}")
 
 
-def run(job: Job, *words: str, log: Optional[str] = None, done=None) -> None:
-    """Runs it to its end, in which some pairs may have failed. `done` is called with the number of
-    lines that came to `log`. It ends with this process, however that ends."""
+def run(job: Job, *words: str, log: Optional[str] = None, watch=None) -> None:
+    """Runs it to its end, in which some pairs may have failed. `watch` is called from time to time
+    with the number of lines that came to `log`; what it raises ends the program. That ends with
+    this process as well, however this ends."""
     program = find_program()
     if program is None:
         raise FileNotFoundError("isomatch batch: the command line program is not installed")
@@ -106,8 +107,8 @@ def run(job: Job, *words: str, log: Optional[str] = None, done=None) -> None:
         )
         try:
             while process.poll() is None:
-                if log_path and done:
-                    done(_log_lines(log_path, before))
+                if watch:
+                    watch(_log_lines(log_path, before) if log_path else 0)
                 time.sleep(_POLL_SECONDS)
         except BaseException:
             _stop(process)
@@ -116,9 +117,3 @@ def run(job: Job, *words: str, log: Optional[str] = None, done=None) -> None:
         message = errors.read().decode(errors="surrogateescape")
     if process.returncode not in (_SUCCESS, _PARTLY_FAILED):
         _fail(process.returncode, message, job)
-
-
-def run_share(job: Job, share: int, count: int) -> int:
-    """A task of Dask: matches one of `count` shares, and returns which."""
-    run(job, "--shard", f"{share}/{count}")
-    return share

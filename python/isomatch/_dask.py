@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The isomatch authors
 """Shares of a batch on the workers of Dask."""
 
-from ._batch_run import run_share
+from ._batch_run import run
 
 #: Shares for each thread of a worker: few enough that neighbours share shapes, enough that no worker
 #: waits long for the last one.
@@ -19,6 +19,25 @@ def _count_of(client, pairs, shards):
     return min(shards, pairs)
 
 
+class _Unwanted(Exception):
+    pass
+
+
+def _run_share(job, share, count):
+    """A task. Dask does not interrupt tasks that are cancelled, so they look themselves."""
+    from distributed import get_worker
+
+    worker = get_worker()
+    key = worker.get_current_task()
+
+    def watch(_):
+        task = worker.state.tasks.get(key)
+        if task is None or task.state == "cancelled":
+            raise _Unwanted
+
+    run(job, "--shard", f"{share}/{count}", watch=watch)
+
+
 def run_shares(client, job, pairs, shards, retries, progress):
     """Each share is a task. Those that fail, or whose workers died more often than Dask itself
     allows, are submitted again, `retries` times each; bad input is not."""
@@ -28,7 +47,7 @@ def run_shares(client, job, pairs, shards, retries, progress):
     left = {share: retries for share in range(1, count + 1)}
 
     def submit(share):
-        return client.submit(run_share, job, share, count, pure=False)
+        return client.submit(_run_share, job, share, count, pure=False)
 
     shares = {submit(share): share for share in left}
     running = as_completed(list(shares))

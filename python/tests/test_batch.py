@@ -241,3 +241,29 @@ def test_workers_go_on(client, pairs, tmp_path):
         isomatch.batch(pairs[:2], tmp_path, client=client, **QUICK)
     result = isomatch.batch(pairs[:4], tmp_path, client=client, resume=True, **QUICK)
     assert len(logged(tmp_path)[0]) == 4 and not result.failed
+
+
+def test_what_ends_the_call_ends_the_tasks(client, pairs, tmp_path):
+    class Enough(Exception):
+        pass
+
+    def stop(fraction, stage):
+        raise Enough
+
+    with pytest.raises(Enough):
+        isomatch.batch(pairs, tmp_path, client=client, shards=4, progress=stop, **QUICK)
+    wait_for(lambda: not running(tmp_path))
+    matched = len(list(tmp_path.glob("*__*")))
+    time.sleep(1)
+    assert len(list(tmp_path.glob("*__*"))) == matched < len(pairs)
+
+
+def test_a_packed_batch_gives_the_same_matches(pairs, by_program, program, tmp_path):
+    if "--packed" not in program("batch", "--help"):
+        pytest.skip("this program has no --packed")
+    place = tmp_path / "matched"
+    result = isomatch.batch(pairs, place, packed=True, **QUICK)
+    assert not (place / "s0__s1").exists() and not result.failed
+    expected = isomatch.Batch(by_program)
+    for name in ("s0__s1", "s3__s2"):
+        assert np.array_equal(result[name].barycentric, expected[name].barycentric)
