@@ -40,3 +40,20 @@ shares --resume-failed || fail "--resume-failed"
 compare alone matched
 matched_once matched pairs.csv 1
 echo "$(wc -l <pairs.csv) pairs in 4 shares, of which one was killed: the same files"
+
+# Several machines, of which each is this one.
+cat >ssh <<'EOF'
+#!/bin/bash
+while [[ $1 = -* ]]; do shift; done
+shift
+[ "$1" != -- ] || shift
+exec bash -c "$*"
+EOF
+chmod +x ssh
+parallel --will-cite --ssh "$PWD/ssh" --sshlogin 1/node1,1/node2 --workdir . --joblog nodes.log \
+  "$isomatch" batch pairs.csv -o nodes --threads 1 --shard '{}/4' --quiet "${quick[@]}" ::: 1 2 3 4 ||
+  fail "--sshlogin"
+[ "$(awk 'NR > 1 { print $2 }' nodes.log | sort --unique | wc -l)" = 2 ] || fail "one machine did all"
+"$isomatch" batch pairs.csv -o nodes --merge --quiet "${quick[@]}" || fail "--merge"
+compare alone nodes
+matched_once nodes pairs.csv 0

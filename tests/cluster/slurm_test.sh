@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # SPDX-FileCopyrightText: 2026 The isomatch authors
-# A job array in a real Slurm of one node, of which one task's program is killed and one task is queued
-# again by hand, leaves what one process leaves: no pair is lost or matched twice.
+# A job array in a real Slurm of one node, of which one task's program is killed and one task runs out of
+# time, leaves what one process leaves: no pair is lost or matched twice.
 # Usage: slurm_test.sh PROGRAM [SHAPES [TASKS]]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -51,13 +51,14 @@ first_pair_of 1
 victim=$(pgrep --full -- "^$isomatch batch pairs.csv .*--shard 1/$tasks") || fail "no program of share 1"
 kill -9 "$victim"
 first_pair_of 2
-scontrol requeue "${job}_7"
+scancel --batch --signal=USR1 "${job}_7"  # As before its time is up.
 wait_for_jobs 300 || fail "jobs do not end: $(squeue)"
 
 restarts() { scontrol show job "$1" | sed -n 's/.*Restarts=\([0-9]*\).*/\1/p'; }
 [ "$(restarts "${job}_5")" = 1 ] || fail "the killed task was not queued again"
-[ "$(restarts "${job}_7")" = 1 ] || fail "the task was not queued again"
+[ "$(restarts "${job}_7")" = 1 ] || fail "the task out of time was not queued again"
 grep --quiet "share 1 of $tasks was ended by signal 9" "isomatch-${job}_5.out" || fail "its output"
+grep --quiet "share 2 of $tasks is out of time" "isomatch-${job}_7.out" || fail "its output"
 scontrol show job "$merge" | grep --quiet JobState=COMPLETED || fail "merge: $(cat merge.out)"
 compare alone matched
 matched_once matched pairs.csv 2
