@@ -103,7 +103,7 @@ program=$PWD/build/$preset/tools/isomatch
 sections=(build python wheel test)
 [ "$lint" != true ] || sections+=(lint)
 # Other presets make the program too slow for what only waits for it.
-[ "$preset" != dev ] || sections+=(browser docs cluster)
+[ "$preset" != dev ] || sections+=(browser docs)
 if [ "$preset" = tsan ]; then
   sections+=(tsan)
   # What libomp itself does is known from what it tells; libraries of the system are not looked into.
@@ -112,6 +112,8 @@ fi
 
 mkdir -p "$logs"
 check "packages" scripts/install_packages.sh "${sections[@]}" || exit 1
+scripts/install_packages.sh cluster ||
+  echo "Without these packages tests of batches on clusters are skipped." >&2
 viewer=true
 check "viewer" scripts/build_viewer.sh || viewer=false
 if [ "$lint" = true ]; then begin "formatting" scripts/lint.sh format; fi

@@ -76,7 +76,7 @@ def slurm(folder):
     os.environ["SLURM_CONF"] = str(folder / "slurm.conf")
     os.environ["SLURM_TEST_CPUS"] = str(CORES)
     try:
-        call_slurm(folder, f"start_slurm {folder}")
+        call_slurm(folder, f"start_slurm {folder} {os.getpid()}")
         yield
     finally:
         call_slurm(folder, "stop_slurm")

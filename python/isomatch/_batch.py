@@ -49,7 +49,8 @@ def _unpack(folder, name, place):
         connection = sqlite3.connect(f"file:{archive.absolute().as_posix()}?mode=ro", uri=True)
         try:
             rows = connection.execute(
-                "SELECT name, sz, data FROM sqlar WHERE name >= ? AND name < ? AND data IS NOT NULL",
+                "SELECT name, sz, data FROM sqlar "
+                "WHERE name >= ? AND name < ? AND data IS NOT NULL",
                 (name + "/", name + "0"),
             ).fetchall()
         finally:

@@ -4,8 +4,8 @@
 
 from ._batch_run import run
 
-#: Shares for each thread of a worker: few enough that neighbours share shapes, enough that no worker
-#: waits long for the last one.
+#: Shares for each thread of a worker: few enough that neighbours share shapes, enough that no
+#: worker waits long for the last one.
 _SHARES_A_THREAD = 4
 
 

@@ -49,8 +49,15 @@ PartitionName=all Nodes=$host Default=YES MaxTime=INFINITE State=UP
 EOF
 }
 
+# Stops it when the process of this number is gone, should that be killed.
+stop_slurm_after() {
+  (setsid bash -c ". '${BASH_SOURCE[0]}'; slurm_folder='$slurm_folder'
+    while kill -0 $1 2>/dev/null; do sleep 1; done
+    stop_slurm" </dev/null >/dev/null 2>&1 &)
+}
+
 # Starts it and sets SLURM_CONF. The folder's name is short, since sockets lie in it.
-# Usage: start_slurm FOLDER
+# Usage: start_slurm FOLDER [PROCESS], by default for as long as this process lives
 start_slurm() {
   slurm_folder=$1
   mkdir -p "$1/state" "$1/spool"
@@ -58,6 +65,7 @@ start_slurm() {
   export SLURM_CONF=$1/slurm.conf
   slurm_config "$1" >"$SLURM_CONF"
   (umask 077 && head -c 128 /dev/urandom >"$1/munge.key")
+  stop_slurm_after "${2:-$$}"
   munged --force --key-file="$1/munge.key" --socket="$1/munge.socket" --pid-file="$1/munged.pid" \
     --log-file="$1/munged.log" --seed-file="$1/munge.seed" || return 1
   slurmctld -c || return 1

@@ -52,7 +52,7 @@ victim=$(pgrep --full -- "^$isomatch batch pairs.csv .*--shard 1/$tasks") || fai
 kill -9 "$victim"
 first_pair_of 2
 scancel --batch --signal=USR1 "${job}_7"  # As before its time is up.
-wait_for_jobs 300 || fail "jobs do not end: $(squeue)"
+wait_for_jobs 200 || fail "jobs do not end: $(squeue)"
 
 restarts() { scontrol show job "$1" | sed -n 's/.*Restarts=\([0-9]*\).*/\1/p'; }
 [ "$(restarts "${job}_5")" = 1 ] || fail "the killed task was not queued again"
