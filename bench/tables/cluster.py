@@ -176,7 +176,7 @@ def main():
         listed = place / "pairs.csv"
         listed.write_text("".join(f"{a},{b}\n" for a, b in pairs))
         alone, _ = timed(lambda: run([program, "batch", listed, "-o", place / "alone", "--quiet"]))
-        pause = alone / (arguments.kills + 1)
+        pause = alone / (3 * arguments.kills)  # What follows may take less time.
         with slurm(place / "slurm"):
             by_array = timed(lambda: by_slurm(program, listed, place / "array", arguments.tasks,
                                               arguments.kills, pause))
