@@ -197,7 +197,7 @@ All {len(pairs)} ordered pairs of {arguments.shapes} shapes of {vertices} vertic
 one node, an array of {arguments.tasks} tasks, and as many shares for {CORES} workers of Dask. Programs of tasks and workers
 were killed (SIGKILL) at random times. Wall seconds, pairs without a result, pairs that were matched twice, and pairs of
 which a file of the map is not the same bytes as by one `isomatch batch`. A task of Slurm that was killed
-waits some seconds before it begins again.
+waits some seconds before it begins again. Seconds depend on what else the machine does.
 
 """ + "\n".join(table_head(columns) + [table_line(row) for row in rows]) + "\n")
     if any(any(counts) for counts in wrong):
