@@ -112,6 +112,8 @@ fi
 
 mkdir -p "$logs"
 check "packages" scripts/install_packages.sh "${sections[@]}" || exit 1
+scripts/install_packages.sh cluster ||
+  echo "Without these packages tests of batches on clusters are skipped." >&2
 viewer=true
 check "viewer" scripts/build_viewer.sh || viewer=false
 if [ "$lint" = true ]; then begin "formatting" scripts/lint.sh format; fi

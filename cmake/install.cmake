@@ -30,6 +30,8 @@ if(ISOMATCH_BUILD_TOOLS)
   install(TARGETS isomatch_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   install(FILES README.md CHANGELOG.md LICENSE
           DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/isomatch COMPONENT program)
+  install(FILES cluster/array.sbatch
+          DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/isomatch COMPONENT program)
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/libisomatch-dev
         COMPONENT development)

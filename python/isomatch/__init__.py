@@ -31,6 +31,7 @@ finally:
     if not _spinning_decided:
         del _os.environ["OMP_WAIT_POLICY"]
 
+from ._batch import Batch, batch
 from ._folders import load
 from ._maps import Points, read_map, write_map
 from ._match import Fit, Hypothesis, Level, Map, Match
@@ -69,6 +70,7 @@ from ._warnings import MatchWarning
 __version__ = _core.version
 
 __all__ = [
+    "Batch",
     "Distortion",
     "ErrorCurve",
     "Fit",
@@ -83,6 +85,7 @@ __all__ = [
     "SynthShape",
     "TexturedMesh",
     "Transfer",
+    "batch",
     "error_curve",
     "evaluate",
     "farthest_points",

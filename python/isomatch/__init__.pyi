@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileCopyrightText: 2026 The isomatch authors
 # Made by python/stubs/make_stubs.py; a test compares.
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -18,6 +18,18 @@ from ._types import (
 )
 
 __version__: str
+
+class Batch:
+    folder: str
+    table: List[Dict[str, Any]]
+    @property
+    def failed(self) -> List[Dict[str, Any]]: ...
+    def __getitem__(
+        self,
+        name: str,
+    ) -> Match: ...
+    def __iter__(self) -> Iterator[str]: ...
+    def __len__(self) -> int: ...
 
 class Map:
     source: Shape
@@ -223,6 +235,28 @@ class Points(NamedTuple):
 
 class MatchWarning(UserWarning):
     ...
+
+def batch(
+    pairs: Sequence[Tuple[PathLike, ...]],
+    output: PathLike,
+    *,
+    client: Any = None,
+    resume: bool = False,
+    packed: bool = False,
+    target_to_source: bool = False,
+    memory: float = 1.0,
+    threads: Optional[int] = None,
+    shards: Optional[int] = None,
+    retries: int = 3,
+    progress: Progress = None,
+    whole: bool = False,
+    scale: str = 'auto',
+    allow_reflection: bool = False,
+    orientation: bool = True,
+    elastic_judging: bool = True,
+    refinement: bool = True,
+    alternatives: int = 0,
+) -> Batch: ...
 
 def error_curve(
     errors: ArrayLike,

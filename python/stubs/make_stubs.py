@@ -17,7 +17,7 @@ HEADER = '''\
 # SPDX-License-Identifier: MIT
 # SPDX-FileCopyrightText: 2026 The isomatch authors
 # Made by python/stubs/make_stubs.py; a test compares.
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -35,6 +35,10 @@ from ._types import (
 
 __version__: str
 '''
+
+
+#: What users call by a notation of Python's.
+_PUBLIC_SPECIAL = ("__call__", "__getitem__", "__iter__", "__len__")
 
 
 def type_name(annotation):
@@ -87,7 +91,7 @@ def member_text(name, member):
 def is_public(name, member, owner):
     if name == "__init__":
         return "return" in member.__annotations__ and not dataclasses.is_dataclass(owner)
-    return (name == "__call__" or not name.startswith("_")) and (
+    return (name in _PUBLIC_SPECIAL or not name.startswith("_")) and (
         inspect.isfunction(member) or isinstance(member, (property, functools.cached_property))
     )
 

@@ -27,7 +27,8 @@ for package in isomatch libisomatch-dev; do
   dpkg-deb -x packages/"$package"_"$version"_*.deb root
 done
 for file in lib/libisomatch.a lib/pkgconfig/isomatch.pc lib/cmake/isomatch/isomatch-config.cmake \
-  include/isomatch/version.h include/isomatch/methods/tracked.h share/doc/isomatch/LICENSE; do
+  include/isomatch/version.h include/isomatch/methods/tracked.h share/doc/isomatch/LICENSE \
+  share/isomatch/array.sbatch; do
   [ -s "root/usr/$file" ] || fail "no $file"
 done
 strip --strip-debug root/usr/lib/libisomatch.a root/usr/bin/isomatch  # Lines of sources may.
