@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "geometry/interpolation.h"
 #include "isomatch/error.h"
 #include "parallel.h"
 #include "shape/boundary.h"
@@ -211,6 +212,32 @@ std::vector<TrackedMap> dense_maps(const Shape& source, const Shape& target,
   return maps;
 }
 
+/// A track whose nodes are where `places` has the vertices of the source's surface.
+Track settled_track(const Pyramid& source, const Pyramid& target, const SurfaceMap& places,
+                    const Options& options, const Context& context) {
+  const elastic::Projection nearest = projection_onto(target.proxy, {});
+  std::vector<Point> anchors;
+  std::vector<int> vertices;
+  std::vector<bool> inside;
+  for (int i = 0; i < source.fine.size(); ++i) {
+    const int detail = source.proxy.detail_vertex[source.proxy.nodes[i]];
+    const SurfacePoint& place = places[source.detail.surface_vertex[detail]];
+    inside.push_back(place.face != kNoFace);
+    anchors.push_back(source.proxy.node_position(i));
+    vertices.push_back(target.proxy.nodes.front());
+    if (!inside.back()) continue;
+    const Surface& surface = *target.surface;
+    anchors.back() = position(surface.mesh, place);
+    const Point normal = interpolated(surface.mesh, surface.normals, place).stableNormalized();
+    vertices.back() = heaviest_corner(target.proxy.mesh, nearest(anchors.back(), normal, {}).point);
+  }
+  if (!options.parts) inside.clear();
+  Judged judged;
+  judged.source = &source;
+  return Refinement(target, options, context)
+      .settled(judged, std::move(vertices), std::move(inside), std::move(anchors));
+}
+
 void check_found(const Candidates& candidates) {
   if (!candidates.possible.empty()) return;
   throw InvalidInput(candidates.contradicting.empty()
@@ -312,6 +339,19 @@ TrackedResult tracked::match(const Shape& source, const Shape& target,
     return dense_maps(source, target, finals.tracks, *pyramids.front(), options, part);
   });
   return result;
+}
+
+TrackedMap tracked::settled(const Shape& source, const Shape& target, const SurfaceMap& places,
+                            const TrackedOptions& tracked_options, const Context& context) {
+  Options options = options_of(tracked_options);
+  const Views views = views_of(*source.prepared().surface(), *target.prepared().surface(),
+                               tracked_options, options.partial);
+  if (views.parts()) options = for_parts(options);
+  const Context silent{.threads = context.threads, .progress = {}, .stop = context.stop};
+  const Pyramids pyramids = make_pyramids(source, target, views, false, options.pyramid, silent);
+  const Track track = settled_track(*pyramids[1], *pyramids.front(), places, options, silent);
+  return tracked_map(source, target, track, dense_map(track, *pyramids.front(), options, silent),
+                     pyramids.front()->surface->scale, options.partial.reach);
 }
 
 Correspondence matches(const Shape& source, const Shape& target, const TrackedMap& map) {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -23,9 +23,11 @@ struct GroupOptions {
   /// The shape whose vertices are followed to all others; chosen if negative: the one that is
   /// nearest to all others and not a part.
   int template_shape = -1;
-  /// Shapes most like it that each shape is matched with besides the template; ceil(log2 N) if
+  /// Shapes most like it that each shape is matched with besides the template; 1.5 log2 N if
   /// negative.
   int neighbours = -1;
+  /// Of what matching prepares of shapes and keeps for other pairs, about, in bytes.
+  std::uint64_t memory = 2'000'000'000;
 
   /// Throws `InvalidInput` if a value is out of range or there are landmarks.
   void validate(int num_shapes) const;
@@ -62,6 +64,9 @@ struct GroupMember {
   /// and each vertex of the shape's mesh on the template. Maps between two members are composed of
   /// these, see `member_map`, and so close all cycles.
   SurfaceMap from_template, to_template;
+  /// The template's vertices as they lie on the shape, in its coordinates: where folds were undone
+  /// off the points of `from_template`, and without a counterpart as what is around them moves.
+  std::vector<Point> registered;
   /// For each vertex of the template, how far apart the pairs of the shape say that it lies: root
   /// mean square distance from `from_template` over sqrt(area); 0 where it has no counterpart.
   std::vector<float> spread;

@@ -197,6 +197,16 @@ void Refinement::settle(Track& track, std::span<const Point> anchors) const {
   advance(track, surface_of(track), options_.settling, anchors);
 }
 
+Track Refinement::settled(const Judged& judged, std::vector<int> vertices, std::vector<bool> inside,
+                          std::vector<Point> anchors) const {
+  Track track =
+      enter(judged, judged.source->fine, target_.fine, std::move(vertices), std::move(inside));
+  if (!track.cloud.inside.empty()) carry_outside(track.cloud, anchors);
+  set_places(track.cloud, target_.proxy, track.vertices);
+  settle(track, anchors);
+  return track;
+}
+
 /// The hypothesis after a first registration.
 Track Refinement::registered(const Judged& judged, const Level& source, const Level& target) const {
   Track track = enter(

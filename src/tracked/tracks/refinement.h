@@ -64,6 +64,10 @@ class Refinement {
                     int first, std::vector<Point> positions = {}) const;
   /// A last registration of a track on the fine level, close to `anchors`.
   void settle(Track& track, std::span<const Point> anchors) const;
+  /// A track on the fine level that only settles: its nodes are at `anchors`, near these vertices
+  /// of the target's proxy. Of nodes that are not inside the anchors do not count.
+  Track settled(const Judged& judged, std::vector<int> vertices, std::vector<bool> inside,
+                std::vector<Point> anchors) const;
   /// For each target node the nearest node of the deformed source.
   std::vector<int> nearest_nodes(const Track& track) const;
   /// The target nodes that the source covers, given the nearest nodes. Empty where nothing is
