@@ -4,6 +4,8 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <functional>
+#include <limits>
 
 #include "group/principal_axes.h"
 
@@ -19,33 +21,46 @@ struct Distribution {
   double noise = 0;
 };
 
-/// As many axes as have nearly all of the variance: more would fit the noise of the points that a
-/// shape has, and cost their square.
-Eigen::Index num_telling_axes(const Eigen::VectorXd& variances) {
-  constexpr double kShare = 0.999;
-  constexpr Eigen::Index kMost = 30;
-  const double total = variances.sum();
-  double sum = 0;
-  Eigen::Index count = 0;
-  while (count < std::min(kMost, variances.size()) && sum < kShare * total)
-    sum += variances[count++];
-  return count;
+/// 1 where a shape has a coordinate, 0 where it lacks it.
+ShapeRows known_coordinates(const CorrespondingPoints& shapes) {
+  const Eigen::Index num_points = std::ssize(shapes.points.front());
+  ShapeRows known(std::ssize(shapes.points), 3 * num_points);
+  for (Eigen::Index i = 0; i < known.rows(); ++i)
+    for (Eigen::Index p = 0; p < num_points; ++p)
+      known.row(i).segment<3>(3 * p).setConstant(shapes.present[i][p] ? 1 : 0);
+  return known;
 }
 
-Distribution distribution_of(const ShapeRows& rows) {
-  // Against dividing by nothing, where shapes have no noise.
-  constexpr double kLeastNoise = 1e-9;
+/// With the number of axes, at most `most`, and the noise that generalised cross-validation (Josse
+/// and Husson 2012) of the coordinates that are known tells. Others would fit noise, and what was
+/// filled in, and spoil what is filled in next.
+Distribution distribution_of(const ShapeRows& rows, const ShapeRows& known, Eigen::Index most) {
   Distribution result;
   result.mean = rows.colwise().mean();
   const ShapeRows deviations = deviations_from(result.mean, rows);
   const double least = least_variance(result.mean);
   result.axes = principal_axes(deviations, least);
-  const Eigen::VectorXd& variances = result.axes.variances;
-  const Eigen::Index count = num_telling_axes(variances);
-  result.directions = axis_directions(deviations, result.axes, count);
-  result.noise =
-      (variances.tail(variances.size() - count).sum() + kLeastNoise * variances.sum() + least) /
-      static_cast<double>(rows.cols());
+  most = std::min(most, result.axes.variances.size());
+  const Eigen::MatrixXd directions = axis_directions(deviations, result.axes, most);
+  // Against dividing by nothing, where shapes have no noise.
+  constexpr double kLeastNoise = 1e-9;
+  const auto size = static_cast<double>(rows.cols()), num_shapes = static_cast<double>(rows.rows());
+  const double least_noise = (least + kLeastNoise * result.axes.variances.sum()) / size;
+  ShapeRows rest = deviations.cwiseProduct(known);
+  const double num_known = known.sum();
+  double best = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k <= most; ++k) {
+    const auto count = static_cast<double>(k);
+    const double freedom = num_known - size - count * (num_shapes - 1 + size - count);
+    if (freedom <= 0) break;
+    const double noise = std::max(rest.squaredNorm() / freedom, least_noise);
+    if (noise / freedom < best) {
+      best = noise / freedom;
+      result.noise = noise;
+      result.directions = directions.topRows(k);
+    }
+    if (k < most) rest -= known.cwiseProduct(result.axes.scores.col(k) * directions.row(k));
+  }
   return result;
 }
 
@@ -133,16 +148,25 @@ void complete_shape(const CorrespondingPoints& shapes, Eigen::Index i, bool keep
 
 void complete_shapes(const CorrespondingPoints& shapes, bool keep_size, AlignedShapes& aligned) {
   constexpr int kMostRounds = 40;
-  constexpr double kSettled = 1e-7;
+  // They cost their square, and no more have been needed.
+  constexpr Eigen::Index kMostAxes = 30;
+  // Of the size of the mean, which shapes differ from by far more.
+  constexpr double kSettled = 1e-5;
+  const ShapeRows known = known_coordinates(shapes);
+  Eigen::Index most = 1;
   for (int round = 0; round < kMostRounds; ++round) {
     const ShapeRows before = aligned.rows;
-    const Distribution all = distribution_of(before);
+    const Distribution all = distribution_of(before, known, most);
     for (Eigen::Index i = 0; i < before.rows(); ++i)
       if (!std::ranges::all_of(shapes.present[i], std::identity()))
         complete_shape(shapes, i, keep_size, all, aligned);
     align_to_mean(aligned, keep_size);
     const double change = (aligned.rows - before).rowwise().norm().maxCoeff();
-    if (change <= kSettled * all.mean.norm()) return;
+    // One after the other, as what is filled in along the first ones shows where the next one is.
+    if (all.directions.rows() == most && most < kMostAxes)
+      ++most;
+    else if (change <= kSettled * all.mean.norm())
+      return;
   }
 }
 

@@ -40,7 +40,7 @@ double LeftOut::secular(double end, double offset) const {
 double LeftOut::zero(Interval interval) const {
   // Some six do; where rounding is in the way, halvings, until the bits of a number are used up.
   constexpr int kMostSteps = 60;
-  constexpr double kExact = 1e-13;
+  constexpr double kExact = 1e-9;
   double offset = (interval.low + interval.high) / 2;
   for (int step = 0; step < kMostSteps; ++step) {
     (secular(interval.end, offset) > 0 ? interval.low : interval.high) = offset;
