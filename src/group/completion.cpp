@@ -46,6 +46,8 @@ Distribution distribution_of(const ShapeRows& rows, const ShapeRows& known, Eige
   constexpr double kLeastNoise = 1e-9;
   const auto size = static_cast<double>(rows.cols()), num_shapes = static_cast<double>(rows.rows());
   const double least_noise = (least + kLeastNoise * result.axes.variances.sum()) / size;
+  result.directions = directions.topRows(0);
+  result.noise = least_noise;
   ShapeRows rest = deviations.cwiseProduct(known);
   const double num_known = known.sum();
   double best = std::numeric_limits<double>::infinity();

@@ -260,6 +260,15 @@ TEST(ShapeModel, PartsWithoutAWholeAreCompleted) {
   }
 }
 
+TEST(ShapeModel, OfTwoShapesOneGivesTheOtherWhatItLacks) {
+  CorrespondingPoints shapes = family(2, 0, 0, 15, true);
+  shapes.present.assign(2, std::vector<bool>(shapes.points[0].size(), true));
+  for (int p = 0; p < 10; ++p) shapes.present[1][p] = false;
+  const std::vector<Point> completed =
+      completed_points(shapes, shape_model(shapes, {.keep_size = true}), 1);
+  for (int p = 0; p < 10; ++p) EXPECT_LT((completed[p] - shapes.points[1][p]).norm(), 1e-4);
+}
+
 TEST(ShapeModel, IsTheSameEachTime) {
   CorrespondingPoints shapes = family(8, 3, 0.02, 10);
   shapes.present.assign(8, std::vector<bool>(shapes.points[0].size(), true));
