@@ -149,9 +149,9 @@ std::optional<NpyArray> parse_npy(const InputFile& file, const std::string& name
   return NpyParser(file, name, content).parse();
 }
 
-std::string npy_bytes(const NpyArray& array) {
-  std::string header = fmt::format("{{'descr': '<{}', 'fortran_order': False, 'shape': ({},), }}",
-                                   array.has_integers ? "i8" : "f8", fmt::join(array.shape, ", "));
+std::string npy_header(std::string_view type, const std::vector<std::int64_t>& shape) {
+  std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({},), }}",
+                                   type, fmt::join(shape, ", "));
   // The data begins at a multiple of 64 bytes.
   const std::size_t prefix = kMagic.size() + 4;
   header.resize((prefix + header.size() + 1 + 63) / 64 * 64 - prefix - 1, ' ');
@@ -160,7 +160,11 @@ std::string npy_bytes(const NpyArray& array) {
   bytes += '\x01';
   bytes += '\0';
   append_little_endian(static_cast<std::uint16_t>(header.size()), bytes);
-  bytes += header;
+  return bytes + header;
+}
+
+std::string npy_bytes(const NpyArray& array) {
+  std::string bytes = npy_header(array.has_integers ? "<i8" : "<f8", array.shape);
   for (const double value : array.values)
     array.has_integers ? append_little_endian(static_cast<std::int64_t>(value), bytes)
                        : append_little_endian(value, bytes);

@@ -114,9 +114,7 @@ NpzArrays read_npz(const InputFile& file) {
   return arrays;
 }
 
-void write_npz(const NpzArrays& arrays, AtomicFile& file) {
-  std::vector<std::string> contents;
-  contents.reserve(arrays.size());
+void write_npy_files(const std::map<std::string, std::string>& contents, AtomicFile& file) {
   ZipError error;
   const Source source(zip_source_buffer_create(nullptr, 0, 0, error.get()));
   if (!source) throw InternalError("zip: " + error.message());
@@ -124,12 +122,17 @@ void write_npz(const NpzArrays& arrays, AtomicFile& file) {
   zip_source_keep(source.get());
   Archive archive(zip_open_from_source(source.get(), ZIP_CREATE | ZIP_TRUNCATE, error.get()));
   if (!archive) throw InternalError("zip: " + error.message());
-  for (const auto& [name, array] : arrays)
-    add(archive.get(), name + ".npy", contents.emplace_back(npy_bytes(array)));
+  for (const auto& [name, content] : contents) add(archive.get(), name + ".npy", content);
   if (zip_close(archive.get()) != 0)
     throw InternalError("zip: " + std::string(zip_strerror(archive.get())));
   archive.release();
   file.write(content_of(source.get()));
+}
+
+void write_npz(const NpzArrays& arrays, AtomicFile& file) {
+  std::map<std::string, std::string> contents;
+  for (const auto& [name, array] : arrays) contents[name] = npy_bytes(array);
+  write_npy_files(contents, file);
 }
 
 }  // namespace isomatch

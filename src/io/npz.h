@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/input_file.h"
@@ -36,5 +37,11 @@ std::optional<NpyArray> parse_npy(const InputFile& file, const std::string& name
                                   std::string_view content);
 
 std::string npy_bytes(const NpyArray& array);
+
+/// What stands before the data of an array; `type` in numpy's spelling.
+std::string npy_header(std::string_view type, const std::vector<std::int64_t>& shape);
+
+/// Writes the contents of .npy files by the names of the arrays.
+void write_npy_files(const std::map<std::string, std::string>& contents, AtomicFile& file);
 
 }  // namespace isomatch
