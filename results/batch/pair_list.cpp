@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +15,7 @@
 #include <utility>
 
 #include "isomatch/error.h"
-#include "results/files/outputs.h"
+#include "results/files/mesh_files.h"
 
 namespace isomatch::results {
 namespace {
@@ -137,23 +136,6 @@ class Collector {
 ListedPair pair_of(const std::vector<std::string>& fields, const fs::path& folder) {
   const auto seen_from = [&](const std::string& file) { return (folder / file).string(); };
   return {seen_from(fields[0]), seen_from(fields[1]), fields.size() > 2 ? fields[2] : ""};
-}
-
-std::vector<std::string> meshes_in(const std::string& folder) {
-  constexpr std::array kEndings{".off", ".obj", ".ply", ".stl", ".glb", ".gltf", ".mat"};
-  const auto is_mesh = [&](const fs::directory_entry& entry) {
-    std::error_code error;
-    return entry.is_regular_file(error) && !entry.path().filename().string().starts_with('.') &&
-           std::ranges::count(kEndings, lower_ending(entry.path().string())) > 0;
-  };
-  std::error_code error;
-  std::vector<std::string> meshes;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error))
-    if (is_mesh(*entry)) meshes.push_back(entry->path().string());
-  if (error) throw BadFile(folder, error.message());
-  std::ranges::sort(meshes);
-  return meshes;
 }
 
 std::vector<std::string> at_least_two(const std::string& folder) {
