@@ -1,4 +1,5 @@
-import { NONE, type Result } from '../data/result';
+import type { Result } from '../data/result';
+import { NONE } from '../data/shape';
 import type { Point, State } from '../state';
 import { h } from './dom';
 import { number } from './format';
