@@ -7,7 +7,7 @@ export interface Placing {
   scale: number;
 }
 
-function rotate(rotation: number[], points: Float32Array): Float32Array {
+export function rotate(rotation: number[], points: Float32Array): Float32Array {
   const rotated = new Float32Array(points.length);
   for (let i = 0; i < points.length; i += 3) {
     for (let k = 0; k < 3; ++k)

@@ -138,8 +138,10 @@ export class Stage implements Turnable {
     const squares = state.coloring === 'checker' ? CHECKER_SQUARES : 0;
     this.colors = colors;
     const { place, partner, back } = this.result.map(state.map);
-    this.surfaces.source.setColors(colors.source, place, partner);
-    this.surfaces.target.setColors(colors.target, this.result.target.place!, back);
+    this.surfaces.source.setColors(colors.source);
+    this.surfaces.target.setColors(colors.target);
+    this.surfaces.source.setPlaces(place, partner);
+    this.surfaces.target.setPlaces(this.result.target.place!, back);
     for (const surface of Object.values(this.surfaces)) surface.setChecker(squares);
     this.onColors(colors);
   }

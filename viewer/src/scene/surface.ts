@@ -82,19 +82,18 @@ export class Surface {
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
-    this.setColors(
-      new Float32Array(shape.position.length),
-      shape.position,
-      new Int32Array(shape.count),
-    );
+    this.setColors(new Float32Array(shape.position.length));
+    this.setPlaces(shape.position, new Int32Array(shape.count));
   }
 
-  /** `place` is where the checkerboard takes its squares from; there are none at vertices without
-   * a `partner`. */
-  setColors(colors: Float32Array, place: Float32Array, partner: Int32Array): void {
+  setColors(colors: Float32Array): void {
+    this.mesh.geometry.setAttribute('color', attribute(colors, 3));
+  }
+
+  /** Where the checkerboard takes its squares from; there are none at vertices without a `partner`. */
+  setPlaces(place: Float32Array, partner: Int32Array): void {
     const matched = Float32Array.from(partner, (v) => (v === NONE ? 0 : 1));
     this.mesh.geometry.setAttribute('matched', new BufferAttribute(matched, 1));
-    this.mesh.geometry.setAttribute('color', attribute(colors, 3));
     this.mesh.geometry.setAttribute('place', attribute(place, 3));
   }
 
