@@ -39,7 +39,7 @@ const curves = ({ compactness, generalisation, specificity }: Quality): Curve[] 
 ];
 
 /** More dots hide the line. */
-const MOST_DOTS = 40;
+const MOST_DOTS = 25;
 
 function panel({ title, label, help, values, format, high }: Curve): HTMLElement | null {
   const points = values.flatMap((value, k): [number, number][] =>

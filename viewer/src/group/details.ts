@@ -1,6 +1,6 @@
 import { statistics } from '../data/statistics';
 import { h } from '../ui/dom';
-import { number, percent } from '../ui/format';
+import { deviation, number, percent } from '../ui/format';
 import { BADGES, sentence } from '../ui/grades';
 import type { Collection } from './collection';
 import type { PairEntry } from './manifest';
@@ -29,8 +29,8 @@ function numbersOf(collection: Collection, member: number): [string, string][] {
   }
   if (entry.missing)
     rows.push(['Missing', `${percent(entry.missing / collection.numPoints)} of the points`]);
-  const scores = manifest.model?.modes.map(({ scores: all }) => (all[member] ?? 0).toFixed(1));
-  if (scores?.length) rows.push(['Scores', `${scores.join('  ')} sd`]);
+  const scores = manifest.model?.modes.map(({ scores: all }) => deviation(all[member] ?? 0));
+  if (scores?.length) rows.push(['Scores', `${scores.join(', ')} sd`]);
   return rows;
 }
 

@@ -3,7 +3,7 @@ import { Extent } from '../scene/extent';
 import { Surface } from '../scene/surface';
 import { View } from '../scene/view';
 import { h } from '../ui/dom';
-import { percent } from '../ui/format';
+import { deviation, percent } from '../ui/format';
 import { sliderOf } from '../ui/inputs';
 import type { Coloring } from './coloring';
 import type { Model } from './model';
@@ -13,9 +13,6 @@ import { Turntable } from './turntable';
 
 /** Of the sliders, in standard deviations. */
 export const REACH = 3;
-
-const sign = (value: number): string =>
-  `${value < 0 ? '−' : value > 0 ? '+' : ''}${Math.abs(value).toFixed(1)} sd`;
 
 /** The mean shape as the sliders deform it. */
 export class MeanShape {
@@ -54,9 +51,9 @@ export class MeanShape {
     this.table.reset();
   }
 
-  /** The mean, and where the first mode takes it: the others move less. */
+  /** The mean, and how far the first mode takes most shapes: the others move less. */
   private extremes(): Float32Array[] {
-    const all = [0, REACH, -REACH].map((deviation) => {
+    const all = [0, 2, -2].map((deviation) => {
       this.model.move([deviation]);
       return this.model.shape.position.slice();
     });
@@ -76,11 +73,11 @@ export function modeSliders(model: Model, store: GroupStore): HTMLElement {
   const sliders = model.entry.modes.map(({ share }, k) =>
     sliderOf({
       id: `mode${k}`,
-      label: `Mode ${k + 1}, ${percent(share)} of the variance`,
+      label: `Mode ${k + 1}: ${percent(share)}`,
       min: -REACH,
       max: REACH,
       step: 0.1,
-      describe: sign,
+      describe: (value) => `${deviation(value)} sd`,
       change: (value) => set(k, value),
     }),
   );

@@ -11,14 +11,19 @@ const worseFirst: Compare = (a, b) =>
 
 const byName: Compare = (a, b) => a.name.localeCompare(b.name, 'en', { numeric: true });
 
+/** The mode of a sort by scores. */
+export const modeOf = (sort: Sort): number | null =>
+  sort.startsWith('mode') ? Number(sort.slice('mode'.length)) : null;
+
 /** The members in the order in which they are shown; equal ones stay as they came. */
 export function orderOf({ members, model }: GroupManifest, sort: Sort): number[] {
   const order = members.map((_, k) => k);
-  if (sort === 'quality' || sort === 'name') {
+  const mode = modeOf(sort);
+  if (mode === null) {
     const compare = sort === 'name' ? byName : worseFirst;
     return order.sort((a, b) => compare(members[a]!, members[b]!));
   }
-  const scores = model?.modes[Number(sort.slice('mode'.length))]?.scores ?? [];
+  const scores = model?.modes[mode]?.scores ?? [];
   return order.sort((a, b) => (scores[a] ?? 0) - (scores[b] ?? 0));
 }
 

@@ -3,7 +3,7 @@ import { h } from '../ui/dom';
 import { quote } from '../ui/format';
 import { choiceOf } from '../ui/inputs';
 import { Legend } from '../ui/legend';
-import { hint } from '../ui/point_panel';
+import { hasTouch, hint } from '../ui/point_panel';
 import { themeButton } from '../ui/theme';
 import { withWebgl } from '../ui/webgl';
 import { Store } from '../store';
@@ -78,7 +78,7 @@ function pointLine(collection: Collection, store: GroupStore): HTMLElement {
     const { hovered, kept } = store.state;
     const none = hovered === null && kept === null;
     if (!none && collection.knowsSpread) averages ??= collection.meanSpread();
-    line.textContent = describePoint(collection, averages, store.state, hint(false));
+    line.textContent = describePoint(collection, averages, store.state, hint(hasTouch()));
     line.classList.toggle('hint', none);
   };
   store.listen(show);
@@ -106,6 +106,7 @@ function modelPanel(model: Model, store: GroupStore, box: HTMLElement): HTMLElem
     { class: 'panel model' },
     h('h2', {}, 'Mean shape and principal modes'),
     h('div', { class: 'view' }, box),
+    h('small', {}, 'Share of the variance; standard deviations from the mean'),
     modeSliders(model, store),
   );
 }

@@ -26,7 +26,7 @@ export function remarksOf(manifest: GroupManifest): string[] {
   if (pairs.length > 0) {
     const { median, max } = statistics(pairs.map((pair) => pair.cycle_error));
     remarks.push(
-      `${number(pairs.length)} pairs: ${number(uses.agrees)} agree, ${number(uses['runner-up'])} took their runner-up, ${number(uses.composed)} are composed of others`,
+      `${number(pairs.length)} pairs: ${number(uses.agrees)} agree, ${number(uses['runner-up'])} took their runner-up, ${number(uses.composed)} composed of others`,
       `Cycle error of a pair: median ${number(median)}, worst ${number(max)} of √area`,
     );
   }

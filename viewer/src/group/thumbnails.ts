@@ -1,24 +1,32 @@
-import type { Quaternion } from 'three';
+import { Quaternion, Vector3 } from 'three';
 import { Extent } from '../scene/extent';
 import { Surface } from '../scene/surface';
 import { View } from '../scene/view';
 import type { Collection } from './collection';
 import type { Coloring } from './coloring';
-import type { Painter } from './painter';
+import type { Painter, Picture } from './painter';
 import type { GroupColoring } from './state';
 
 /** In CSS pixels. */
 export const THUMBNAIL = { width: 150, height: 112 };
 
-/** Of each frame, in milliseconds, so that the page stays smooth. */
-const BUDGET = 10;
+/** Of a frame; slower ones draw fewer thumbnails. In milliseconds. */
+const FRAME = 34;
+const MOST = 12;
 
 interface Thumbnail {
   context: CanvasRenderingContext2D;
   surface: Surface;
   view: View;
-  extent: Extent;
   painted: Float32Array | null;
+}
+
+function turned(position: Float32Array, rotation: Quaternion): Float32Array {
+  const result = new Float32Array(position.length);
+  const point = new Vector3();
+  for (let i = 0; i < position.length; i += 3)
+    point.fromArray(position, i).applyQuaternion(rotation).toArray(result, i);
+  return result;
 }
 
 /** Pictures of all shapes, drawn when they come into sight, a few each frame. */
@@ -29,8 +37,11 @@ export class Thumbnails {
   private readonly canvases: HTMLCanvasElement[] = [];
   private readonly observer: IntersectionObserver;
   private readonly ratio = Math.min(2, window.devicePixelRatio);
-  private rotation: Quaternion | null = null;
+  private rotation = new Quaternion();
   private scheduled = false;
+  private perFrame = 4;
+  /** When the frame before was drawn; 0 after a pause. */
+  private before = 0;
 
   constructor(
     private readonly collection: Collection,
@@ -84,36 +95,49 @@ export class Thumbnails {
 
   private paintSome(): void {
     this.scheduled = false;
-    const begun = performance.now();
-    for (const member of this.outdated) {
-      if (!this.seen.has(member)) continue;
-      this.paint(member);
-      this.outdated.delete(member);
-      if (performance.now() - begun > BUDGET) break;
+    const waiting = [...this.outdated].filter((member) => this.seen.has(member));
+    if (waiting.length === 0) {
+      this.before = 0;
+      return;
     }
-    if ([...this.outdated].some((member) => this.seen.has(member))) this.schedule();
+    this.adapt();
+    const now = waiting.slice(0, this.perFrame);
+    this.painter.paint(now.map((member) => this.picture(member)));
+    for (const member of now) this.outdated.delete(member);
+    this.schedule();
   }
 
-  private paint(member: number): void {
+  /** Draws more each frame, or fewer after one that took long. */
+  private adapt(): void {
+    const now = performance.now();
+    if (this.before > 0) {
+      const slow = now - this.before > FRAME;
+      this.perFrame = slow ? Math.max(1, this.perFrame >> 1) : Math.min(MOST, this.perFrame + 1);
+    }
+    this.before = now;
+  }
+
+  private picture(member: number): Picture {
     const thumbnail = this.thumbnail(member);
-    const { context, surface, view, extent } = thumbnail;
+    const { context, surface, view } = thumbnail;
     const colors = this.coloring.ofMember(member, this.mode);
     if (thumbnail.painted !== colors) surface.setColors(colors);
     thumbnail.painted = colors;
-    if (this.rotation) view.orbit.rotation.copy(this.rotation);
-    this.painter.paint(context, [[view, extent]], this.ratio);
+    view.orbit.rotation.copy(this.rotation);
+    // All of a shape is in sight, however it is turned.
+    const extent = new Extent([turned(this.collection.shape(member).position, this.rotation)]);
+    return { context, views: [[view, extent]], ratio: this.ratio };
   }
 
   private thumbnail(member: number): Thumbnail {
     let thumbnail = this.made.get(member);
     if (!thumbnail) {
-      const shape = this.collection.shape(member);
-      const surface = new Surface(shape);
+      const surface = new Surface(this.collection.shape(member));
       const view = new View();
       view.rectangle = { x: 0, y: 0, ...THUMBNAIL };
       view.scene.add(surface.mesh);
       const context = this.canvases[member]!.getContext('2d')!;
-      thumbnail = { context, surface, view, extent: new Extent([shape.position]), painted: null };
+      thumbnail = { context, surface, view, painted: null };
       this.made.set(member, thumbnail);
     }
     return thumbnail;

@@ -21,6 +21,8 @@ export class Turntable implements Turnable {
   private height = 1;
   private ratio = 1;
   private scheduled = false;
+  private seen = true;
+  private outdated = false;
 
   constructor(
     private readonly box: HTMLElement,
@@ -33,12 +35,14 @@ export class Turntable implements Turnable {
     this.context = canvas.getContext('2d')!;
     box.append(canvas);
     new ResizeObserver(() => this.resize()).observe(box);
+    new IntersectionObserver((entries) => this.notice(entries)).observe(box);
     listenToPointer(box, this);
     this.resize();
   }
 
   redraw(): void {
-    if (this.scheduled) return;
+    this.outdated = true;
+    if (this.scheduled || !this.seen) return;
     this.scheduled = true;
     requestAnimationFrame(() => this.render());
   }
@@ -80,6 +84,12 @@ export class Turntable implements Turnable {
     this.events.letGo?.();
   }
 
+  /** What is out of sight is drawn when it comes back. */
+  private notice(entries: IntersectionObserverEntry[]): void {
+    this.seen = entries.at(-1)!.isIntersecting;
+    if (this.outdated) this.redraw();
+  }
+
   private resize(): void {
     const { canvas } = this.context;
     this.width = Math.max(1, this.box.clientWidth);
@@ -103,8 +113,9 @@ export class Turntable implements Turnable {
 
   private render(): void {
     this.scheduled = false;
+    this.outdated = false;
     const views = this.views.map((view): [View, Extent] => [view, this.extent(view)]);
-    this.painter.paint(this.context, views, this.ratio);
+    this.painter.paint([{ context: this.context, views, ratio: this.ratio }]);
     this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.events.annotate?.(this.context);
   }

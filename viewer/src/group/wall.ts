@@ -1,11 +1,19 @@
 import { h } from '../ui/dom';
-import { number } from '../ui/format';
+import { deviation, number } from '../ui/format';
 import { BADGES, sentence } from '../ui/grades';
 import type { Collection } from './collection';
-import type { MemberEntry } from './manifest';
-import { orderOf, sorts } from './order';
+import type { GroupManifest, MemberEntry } from './manifest';
+import { modeOf, orderOf, sorts } from './order';
 import type { GroupStore, Sort } from './state';
 import type { Thumbnails } from './thumbnails';
+
+/** What a shape is sorted by, as far as it is a number. */
+function valueOf({ members, model }: GroupManifest, member: number, sort: Sort): string {
+  const mode = modeOf(sort);
+  const score = mode === null ? undefined : model?.modes[mode]?.scores[member];
+  if (score !== undefined) return `score ${deviation(score)} sd`;
+  return `cycle error ${number(members[member]!.cycle_error)}`;
+}
 
 function card(entry: MemberEntry, isTemplate: boolean, select: () => void): HTMLElement {
   const { icon, word } = BADGES[entry.grade];
@@ -23,8 +31,8 @@ function card(entry: MemberEntry, isTemplate: boolean, select: () => void): HTML
     h(
       'small',
       {},
-      h('span', {}, isTemplate ? 'template' : `cycle error ${number(entry.cycle_error)}`),
-      h('span', { class: 'reason' }, entry.reasons[0] ?? ''),
+      h('span', { class: 'value' }),
+      h('span', { class: 'reason' }, isTemplate ? 'the template' : (entry.reasons[0] ?? '')),
     ),
   );
 }
@@ -54,8 +62,13 @@ export function wall(
     if (thumbnails) thumbnails.add(k, canvas);
     else canvas.remove();
   });
-  const arrange = () =>
-    list.replaceChildren(...orderOf(collection.manifest, store.state.sort).map((k) => cards[k]!));
+  const arrange = () => {
+    const { sort } = store.state;
+    cards.forEach((element, k) => {
+      element.querySelector('.value')!.textContent = valueOf(collection.manifest, k, sort);
+    });
+    list.replaceChildren(...orderOf(collection.manifest, sort).map((k) => cards[k]!));
+  };
   const mark = () =>
     cards.forEach((element, k) =>
       element.setAttribute('aria-pressed', String(k === store.state.selected)),

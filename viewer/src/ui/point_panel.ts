@@ -12,7 +12,7 @@ const TOUCH_HINT =
 /** How to use the shapes with what the viewer has at hand. */
 export const hint = (touch: boolean): string => (touch ? TOUCH_HINT : MOUSE_HINT);
 
-const hasTouch = (): boolean => matchMedia('(hover: none) and (pointer: coarse)').matches;
+export const hasTouch = (): boolean => matchMedia('(hover: none) and (pointer: coarse)').matches;
 
 /** A vertex, its partner and their numbers. */
 export function describePoint(result: Result, state: State, point: Point): string {
