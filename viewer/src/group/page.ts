@@ -134,6 +134,7 @@ export function showGroup(root: HTMLElement, collection: Collection): void {
   );
   const legend = legendOf(store, coloring);
   root.classList.add('group');
+  root.classList.toggle('flat', !scenes);
   root.replaceChildren(
     header(collection, theme),
     h(
