@@ -19,6 +19,7 @@ FLOORS = (
     ("shape",),
     ("elastic", "spectral", "measure", "carry"),
     ("methods", "paper", "tracked"),
+    ("group",),
     ("results",),
     ("program",),
     ("tools", "python", "baselines", "bench"),
@@ -62,7 +63,7 @@ def complaint(path, name):
         return None
     if floor_of(other) > floor_of(room) or room in FACES and other in FACES:
         return "leads up"
-    outside = floor_of(room) > floor_of("tracked")
+    outside = floor_of(room) > floor_of("group")
     if outside and is_private and TOOLBOX.get(room, {}) is not None:
         return None if other in TOOLBOX.get(room, set()) else "sees a private header"
     return None
