@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 
 #include "isomatch/error.h"
 #include "tools/packed_arrays.h"
@@ -17,21 +16,15 @@ namespace {
 constexpr int kShapes = 6;
 constexpr int kVertices = 1000;
 
-struct GroupPage : testing::Test {
-  static void SetUpTestSuite() {
-    data = std::make_unique<GroupPageData>(sample_collection(kShapes, kVertices));
-    page = std::make_unique<PageData>(group_page_data(*data));
-  }
-  static void TearDownTestSuite() {
-    data.reset();
-    page.reset();
-  }
+const GroupPageData& data() {
+  static const GroupPageData sample = sample_collection(kShapes, kVertices);
+  return sample;
+}
 
-  static std::unique_ptr<GroupPageData> data;
-  static std::unique_ptr<PageData> page;
-};
-std::unique_ptr<GroupPageData> GroupPage::data;
-std::unique_ptr<PageData> GroupPage::page;
+const PageData& page() {
+  static const PageData packed = group_page_data(data());
+  return packed;
+}
 
 std::vector<Point> points(const PageData& page, const std::string& name, const Json& box) {
   const std::vector<std::uint32_t> steps = unpacked(page, name);
@@ -44,40 +37,40 @@ std::vector<Point> points(const PageData& page, const std::string& name, const J
   return decoded;
 }
 
-TEST_F(GroupPage, PointsOfEachShapeComeBack) {
-  const std::vector<std::uint32_t> numbers = unpacked(*page, "template/numbers");
-  ASSERT_EQ(numbers.size(), data->template_mesh.vertices.size());
+TEST(GroupPage, PointsOfEachShapeComeBack) {
+  const std::vector<std::uint32_t> numbers = unpacked(page(), "template/numbers");
+  ASSERT_EQ(numbers.size(), data().template_mesh.vertices.size());
   for (const int member : {0, 2, 5}) {
     const std::string name = "members/" + std::to_string(member) + "/position";
-    const std::vector<Point> decoded = points(*page, name, page->manifest["members"][member]);
+    const std::vector<Point> decoded = points(page(), name, page().manifest["members"][member]);
     // Half a step in each direction of a shape some three units long.
     for (std::size_t p = 0; p < numbers.size(); ++p)
-      ASSERT_LT((decoded[p] - data->members[member].points[numbers[p]]).norm(), 1e-4);
+      ASSERT_LT((decoded[p] - data().members[member].points[numbers[p]]).norm(), 1e-4);
   }
 }
 
-TEST_F(GroupPage, SpreadComesBackAndTellsWhatIsMissing) {
-  const std::vector<std::uint32_t> numbers = unpacked(*page, "template/numbers");
-  const std::vector<std::uint32_t> steps = unpacked(*page, "members/1/spread");
-  const double largest = page->manifest["spread_max"];
+TEST(GroupPage, SpreadComesBackAndTellsWhatIsMissing) {
+  const std::vector<std::uint32_t> numbers = unpacked(page(), "template/numbers");
+  const std::vector<std::uint32_t> steps = unpacked(page(), "members/1/spread");
+  const double largest = page().manifest["spread_max"];
   int missing = 0;
   for (std::size_t p = 0; p < numbers.size(); ++p) {
-    const bool present = data->members[1].present[numbers[p]];
+    const bool present = data().members[1].present[numbers[p]];
     ASSERT_EQ(steps[p] != 65535, present);
     if (present)
-      ASSERT_NEAR(largest * steps[p] / 65534, data->members[1].spread[numbers[p]], largest * 1e-5);
+      ASSERT_NEAR(largest * steps[p] / 65534, data().members[1].spread[numbers[p]], largest * 1e-5);
     else
       ++missing;
   }
   EXPECT_GT(missing, 0);
-  EXPECT_EQ(page->manifest["members"][1]["missing"], missing);
+  EXPECT_EQ(page().manifest["members"][1]["missing"], missing);
 }
 
-TEST_F(GroupPage, AModeMovesPointsByADeviation) {
-  const ShapeModel& model = data->model->model;
-  const std::vector<std::uint32_t> numbers = unpacked(*page, "template/numbers");
+TEST(GroupPage, AModeMovesPointsByADeviation) {
+  const ShapeModel& model = data().model->model;
+  const std::vector<std::uint32_t> numbers = unpacked(page(), "template/numbers");
   const std::vector<Point> moves =
-      points(*page, "model/modes/0", page->manifest["model"]["modes"][0]);
+      points(page(), "model/modes/0", page().manifest["model"]["modes"][0]);
   for (std::size_t p = 0; p < numbers.size(); ++p) {
     const Point expected =
         std::sqrt(model.variances[0]) * model.modes.row(0).segment<3>(3 * numbers[p]).transpose();
@@ -85,23 +78,23 @@ TEST_F(GroupPage, AModeMovesPointsByADeviation) {
   }
 }
 
-TEST_F(GroupPage, AShapeThatLacksAPartIsShownAsLargeAsIfItWereWhole) {
-  const double whole = page->manifest["members"][0]["area"];
-  const double part = page->manifest["members"][1]["area"];
+TEST(GroupPage, AShapeThatLacksAPartIsShownAsLargeAsIfItWereWhole) {
+  const double whole = page().manifest["members"][0]["area"];
+  const double part = page().manifest["members"][1]["area"];
   EXPECT_NEAR(part, whole, 0.3 * whole);
 }
 
-TEST_F(GroupPage, NamesReasonsAndUsesAreThere) {
-  const Json& poor = page->manifest["members"][2];
+TEST(GroupPage, NamesReasonsAndUsesAreThere) {
+  const Json& poor = page().manifest["members"][2];
   EXPECT_EQ(poor["name"], "creature_2");
   EXPECT_EQ(poor["grade"], "poor");
   EXPECT_EQ(poor["reasons"][0], "two legs are exchanged");
-  EXPECT_EQ(page->manifest["pairs"][0]["use"], "agrees");
-  EXPECT_EQ(page->manifest["pairs"].size(), data->pairs.size());
+  EXPECT_EQ(page().manifest["pairs"][0]["use"], "agrees");
+  EXPECT_EQ(page().manifest["pairs"].size(), data().pairs.size());
 }
 
-TEST_F(GroupPage, CollectionsWithoutAModelOrSpreadHaveAPage) {
-  GroupPageData bare = *data;
+TEST(GroupPage, CollectionsWithoutAModelOrSpreadHaveAPage) {
+  GroupPageData bare = data();
   bare.model.reset();
   for (GroupPageMember& member : bare.members) member.spread.clear();
   const PageData bare_page = group_page_data(bare);
@@ -109,7 +102,7 @@ TEST_F(GroupPage, CollectionsWithoutAModelOrSpreadHaveAPage) {
   EXPECT_TRUE(bare_page.manifest["spread_max"].is_null());
 }
 
-TEST_F(GroupPage, LargeTemplatesAreSimplified) {
+TEST(GroupPage, LargeTemplatesAreSimplified) {
   GroupPageData large = sample_collection(5, 2 * kMaxGroupVertices);
   large.model.reset();
   const Json manifest = group_page_data(large).manifest;
@@ -117,9 +110,9 @@ TEST_F(GroupPage, LargeTemplatesAreSimplified) {
   EXPECT_LT(manifest["template"]["vertices"], 1.1 * kMaxGroupVertices);
 }
 
-TEST_F(GroupPage, WhatDoesNotFitIsRefused) {
+TEST(GroupPage, WhatDoesNotFitIsRefused) {
   const auto refused = [&](auto change) {
-    GroupPageData wrong = *data;
+    GroupPageData wrong = data();
     change(wrong);
     EXPECT_THROW(group_page_data(wrong), InvalidInput);
   };
