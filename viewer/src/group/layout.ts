@@ -16,9 +16,9 @@ function waysThrough(count: number, pairs: PairEntry[]): Matrix {
   for (let k = 0; k < count; ++k)
     for (let i = 0; i < count; ++i)
       for (let j = 0; j < count; ++j) way[i]![j] = Math.min(way[i]![j]!, way[i]![k]! + way[k]![j]!);
-  const reached = way.flatMap((row) => Array.from(row)).filter(Number.isFinite);
-  const far = 1.2 * Math.max(...reached, 1e-6);
-  for (const row of way) row.forEach((x, j) => Number.isFinite(x) || (row[j] = far));
+  let far = 1e-6;
+  for (const row of way) for (const x of row) if (Number.isFinite(x)) far = Math.max(far, x);
+  for (const row of way) row.forEach((x, j) => Number.isFinite(x) || (row[j] = 1.2 * far));
   return way;
 }
 

@@ -4,6 +4,7 @@ import { number } from '../ui/format';
 import type { Collection } from './collection';
 import { layOut } from './layout';
 import type { MemberEntry, PairEntry, Use } from './manifest';
+import { orderOf } from './order';
 import type { GroupStore } from './state';
 
 const SIZE = 420;
@@ -14,6 +15,9 @@ const USES: Record<Use, string> = {
   'runner-up': 'its runner-up took the place of its own map',
   composed: 'the maps of other pairs were composed instead',
 };
+
+/** Many are smaller, to be told apart. */
+const nodeSize = (count: number): number => Math.min(12, Math.max(5, 12 * Math.sqrt(80 / count)));
 
 /** A pair in one line. */
 export const describePair = (members: MemberEntry[], pair: PairEntry): string =>
@@ -31,8 +35,7 @@ const place = ([x, y]: [number, number]): [number, number] =>
   [x, y].map((share) => MARGIN + share * (SIZE - 2 * MARGIN)) as [number, number];
 
 /** Round if good, a square if poor, between them if doubtful, as are the badges. */
-function node({ grade }: MemberEntry, [x, y]: [number, number], isTemplate: boolean): SVGElement {
-  const size = isTemplate ? 18 : 12;
+function node({ grade }: MemberEntry, [x, y]: [number, number], size: number): SVGElement {
   const round = { good: size / 2, doubtful: size / 4, poor: 0 }[grade];
   return svg('rect', {
     x: x - size / 2,
@@ -96,8 +99,9 @@ export function pairGraph(collection: Collection, store: GroupStore): HTMLElemen
   const hint =
     'Shapes that fit well lie near each other. Point at a line or a shape; a click selects it.';
   const tell = (text: string) => (told.textContent = text);
+  const size = nodeSize(members.length);
   const nodes = members.map((entry, k) => {
-    const mark = node(entry, places[k]!, k === template.member);
+    const mark = node(entry, places[k]!, k === template.member ? 18 : size);
     const select = () => store.set({ selected: k });
     const own = k === template.member ? ', the template' : '';
     mark.setAttribute('aria-label', entry.name);
@@ -112,7 +116,10 @@ export function pairGraph(collection: Collection, store: GroupStore): HTMLElemen
     'svg',
     { viewBox: `0 0 ${SIZE} ${SIZE}`, class: 'graph', id: 'graph' },
     ...edges(collection.manifest, places, tell),
-    ...nodes,
+    // The worst on top.
+    ...orderOf(collection.manifest, 'quality')
+      .map((k) => nodes[k]!)
+      .reverse(),
   );
   graph.addEventListener('pointerleave', () => tell(hint));
   const show = () =>
