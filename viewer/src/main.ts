@@ -1,4 +1,5 @@
 import './style.css';
+import './group/style.css';
 import { unpack } from './data/arrays';
 import type { Manifest } from './data/manifest';
 import { Result } from './data/result';
