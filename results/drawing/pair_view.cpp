@@ -30,10 +30,13 @@ Eigen::Matrix3d source_to_target_rotation(const MatchResult& result, const Resul
 
 }  // namespace
 
+Eigen::Matrix3d choose_mesh_view(const Mesh& mesh, const ViewOptions& options) {
+  return picture::choose_view(mesh, upward(mesh, options.up), options.turn);
+}
+
 PairView choose_pair_view(const MatchResult& result, const ResultMap& map,
                           const ViewOptions& options) {
-  const Eigen::Matrix3d source =
-      picture::choose_view(result.source, upward(result.source, options.up), options.turn);
+  const Eigen::Matrix3d source = choose_mesh_view(result.source, options);
   return {source, source * source_to_target_rotation(result, map).transpose()};
 }
 

@@ -22,6 +22,9 @@ struct ViewOptions {
   double turn = 25;
 };
 
+/// The view of a mesh alone. Throws `InvalidInput` if an option is out of range.
+Eigen::Matrix3d choose_mesh_view(const Mesh& mesh, const ViewOptions& options = {});
+
 /// The source as `choose_view` shows it, and the target turned as the map says, so that matching
 /// parts show. Throws `InvalidInput` if an option is out of range.
 PairView choose_pair_view(const MatchResult& result, const ResultMap& map,

@@ -3,18 +3,11 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
+#include "results/page/filled_page.h"
 #include "results/page/page_data.h"
 
 namespace isomatch::results {
-
-/// Throws `InvalidInput` that says what is missing if this program was built without the page's
-/// template. For use before long work.
-void check_page_available();
-
-/// `page` with the data in place of its empty data elements. Throws `InternalError` if it has none.
-std::string filled_page(std::string_view page, const PageData& data);
 
 /// Throws what stands against writing the page of a result to `path`, before any work: `BadFile` if
 /// it is not named .html, an input, cannot be written, or is the folder's own page and isomatch did

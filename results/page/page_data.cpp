@@ -2,32 +2,18 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "results/page/page_data.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-
 #include "results/drawing/drawable.h"
 #include "results/drawing/nearest_images.h"
 #include "results/drawing/pair_confidence.h"
 #include "results/page/array_packer.h"
 #include "results/page/display_mesh.h"
+#include "results/page/packed_geometry.h"
 
 namespace isomatch::results {
 namespace {
 
 using Values = std::vector<std::uint32_t>;
 using Layout = ArrayPacker::Layout;
-
-constexpr std::uint32_t kNone = 65535;
-constexpr std::uint32_t kNoByte = 255;
-
-Json to_json(const Point& point) { return {point.x(), point.y(), point.z()}; }
-
-Json to_json(const Eigen::Matrix3d& rows) {
-  Json json = Json::array();
-  for (int k = 0; k < 3; ++k) json.push_back(to_json(Point(rows.row(k))));
-  return json;
-}
 
 /// Adds to a page's arrays, in the numbers of the vertices shown.
 class Packing {
@@ -40,59 +26,12 @@ class Packing {
   const DisplayMesh& source() const { return source_; }
   const DisplayMesh& target() const { return target_; }
 
-  /// Points as 16-bit steps of their bounding box, which is returned as low and size.
-  Json add_points(const std::string& name, const std::vector<Point>& points) {
-    Eigen::AlignedBox3d box;
-    for (const Point& p : points) box.extend(p);
-    const Point size = box.sizes().cwiseMax(1e-300);
-    Values steps;
-    for (int k = 0; k < 3; ++k) {
-      for (const Point& p : points)
-        steps.push_back(
-            static_cast<std::uint32_t>(std::lround((p[k] - box.min()[k]) / size[k] * 65535)));
-    }
-    packer_.add(name, steps, 2, Layout::kDelta);
-    return {{"low", to_json(Point(box.min()))}, {"size", to_json(size)}};
-  }
-
-  /// Distances as steps of the largest one, which is returned.
-  double add_distances(const std::string& name, const std::vector<double>& distances) {
-    double largest = 0;
-    for (double d : distances)
-      if (d > largest) largest = d;
-    Values steps;
-    for (double d : distances) {
-      const double share = largest > 0 ? d / largest : 0;
-      steps.push_back(std::isnan(d) ? kNone
-                                    : static_cast<std::uint32_t>(std::lround(share * 65534)));
-    }
-    packer_.add(name, steps, 2);
-    return largest;
-  }
-
-  /// Shares of one as 8-bit steps.
-  void add_shares(const std::string& name, const std::vector<float>& shares) {
-    Values steps;
-    for (float share : shares)
-      steps.push_back(std::isnan(share) ? kNoByte
-                                        : static_cast<std::uint32_t>(
-                                              std::lround(254 * std::clamp(share, 0.0F, 1.0F))));
-    packer_.add(name, steps, 1);
-  }
-
   Json add_mesh(const std::string& name, const Mesh& given, const DisplayMesh& display,
                 const Eigen::Matrix3d& view) {
     packer_.add(name + "/numbers", Values(display.input_vertex.begin(), display.input_vertex.end()),
                 4, Layout::kDelta);
-    Values corners[3];
-    for (const Face& face : display.mesh.faces) {
-      corners[0].push_back(face[0]);
-      for (int k = 1; k < 3; ++k) corners[k].push_back(zigzag(face[k] - face[0]));
-    }
-    packer_.add(name + "/corner0", corners[0], 4, Layout::kDelta);
-    packer_.add(name + "/corner1", corners[1], 4);
-    packer_.add(name + "/corner2", corners[2], 4);
-    Json json = add_points(name + "/position", display.mesh.vertices);
+    add_faces(packer_, name, display.mesh.faces);
+    Json json = add_points(packer_, name + "/position", display.mesh.vertices);
     json.update({{"vertices", display.mesh.num_vertices()},
                  {"faces", display.mesh.num_faces()},
                  {"vertices_given", given.num_vertices()},
@@ -122,10 +61,10 @@ bool add_confidence(Packing& packing, const MatchResult& result, const ResultMap
                     const std::vector<bool>& target_matched, const std::string& name) {
   const std::optional<PairConfidence> confidence = pair_confidence(result, map, target_matched);
   if (!confidence) return false;
-  packing.add_shares(name + "/source_confidence",
-                     packing.at_shown(packing.source(), confidence->source));
-  packing.add_shares(name + "/target_confidence",
-                     packing.at_shown(packing.target(), confidence->target));
+  add_shares(packing.packer(), name + "/source_confidence",
+             packing.at_shown(packing.source(), confidence->source));
+  add_shares(packing.packer(), name + "/target_confidence",
+             packing.at_shown(packing.target(), confidence->target));
   return true;
 }
 
@@ -146,17 +85,18 @@ Json add_map(Packing& packing, const MatchResult& result, const ResultMap& map,
   for (int v : nearest_images(image, shown_map, packing.target().mesh.vertices,
                               packing.at_shown(packing.target(), target_matched)))
     back.push_back(v == kUnmatched ? 0 : v + 1);
-  Json json{{"folder", map.folder}, {"image", packing.add_points(name + "/image", image)}};
+  Json json{{"folder", map.folder},
+            {"image", add_points(packing.packer(), name + "/image", image)}};
   packing.packer().add(name + "/partner", partners, 4, Layout::kDelta);
   packing.packer().add(name + "/back", back, 4, Layout::kDelta);
   if (!map.registered.empty())
-    json["registered"] =
-        packing.add_points(name + "/registered", packing.at_shown(source, map.registered));
+    json["registered"] = add_points(packing.packer(), name + "/registered",
+                                    packing.at_shown(source, map.registered));
   json["d_iso_max"] =
-      packing.add_distances(name + "/d_iso", packing.at_shown(source, measures.d_iso));
+      add_distances(packing.packer(), name + "/d_iso", packing.at_shown(source, measures.d_iso));
   if (!measures.error.empty())
     json["error_max"] =
-        packing.add_distances(name + "/error", packing.at_shown(source, measures.error));
+        add_distances(packing.packer(), name + "/error", packing.at_shown(source, measures.error));
   json["confidence"] = add_confidence(packing, result, map, target_matched, name);
   return json;
 }
@@ -170,7 +110,7 @@ Json add_level(Packing& packing, const MeasuredMatches& level, const std::string
   packing.packer().add(name + "/source", sources, 4, Layout::kDelta);
   packing.packer().add(name + "/target", targets, 4, Layout::kDelta);
   return {{"matches", level.matches.size()},
-          {"d_iso_max", packing.add_distances(name + "/d_iso", level.distortion)}};
+          {"d_iso_max", add_distances(packing.packer(), name + "/d_iso", level.distortion)}};
 }
 
 Json colors_json(const MatchResult& result, const PairView& view) {

@@ -6,6 +6,7 @@
 
 #include "isomatch/context.h"
 #include "results/drawing/pair_view.h"
+#include "results/page/filled_page.h"
 #include "results/page/measures.h"
 #include "results/page/shown_match.h"
 
@@ -14,14 +15,6 @@ namespace isomatch::results {
 struct PageOptions {
   TruthFiles truth;
   ViewOptions view;
-};
-
-/// What a page shows, in the form that viewer/src/data reads.
-struct PageData {
-  /// Everything that is small, and what the arrays are.
-  Json manifest;
-  /// The rest: an `ArrayPacker`'s block.
-  std::string arrays;
 };
 
 /// Measures the maps of `match` and packs all that the page needs. Vertices are those shown (see

@@ -3,40 +3,13 @@
 #include "results/page/array_packer.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <numeric>
 
+#include "tools/packed_arrays.h"
+
 namespace isomatch::results {
 namespace {
-
-std::string from_base64(std::string_view text) {
-  constexpr std::string_view kLetters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (char c : text) {
-    if (c == '=') break;
-    bits = bits << 6 | static_cast<std::uint32_t>(kLetters.find(c));
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes.push_back(static_cast<char>(bits >> count));
-  }
-  return bytes;
-}
-
-std::string inflated(const std::string& packed) {
-  const std::string deflated = from_base64(packed);
-  std::string bytes(1 << 20, '\0');
-  uLongf size = bytes.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                       reinterpret_cast<const Bytef*>(deflated.data()), deflated.size()),
-            Z_OK);
-  bytes.resize(size);
-  return bytes;
-}
 
 TEST(Base64, IsThatOfTheStandard) {
   EXPECT_EQ(base64(""), "");

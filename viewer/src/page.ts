@@ -1,7 +1,9 @@
+import type { Colors } from './color/coloring';
 import type { Result } from './data/result';
 import { Stage } from './scene/stage';
-import { type State, Store } from './state';
-import { controls } from './ui/controls';
+import type { PairStore, State } from './state';
+import { Store } from './store';
+import { controls, helpOf } from './ui/controls';
 import { h } from './ui/dom';
 import { fileName } from './ui/format';
 import { Legend } from './ui/legend';
@@ -11,9 +13,10 @@ import { PointPanel } from './ui/point_panel';
 import { remarks, warnings } from './ui/summary';
 import { themeButton } from './ui/theme';
 import { verdict } from './ui/verdict';
+import { withWebgl } from './ui/webgl';
 
-function initialStore(result: Result): Store {
-  return new Store({
+function initialStore(result: Result): PairStore {
+  return new Store<State>({
     coloring: 'map',
     map: 0,
     level: Math.max(0, result.numLevels - 1),
@@ -28,7 +31,7 @@ function initialStore(result: Result): Store {
   });
 }
 
-function remarkList(result: Result, store: Store): HTMLElement {
+function remarkList(result: Result, store: PairStore): HTMLElement {
   const list = h('ul', { class: 'remarks' });
   const show = ({ map }: Readonly<State>) =>
     list.replaceChildren(
@@ -41,7 +44,7 @@ function remarkList(result: Result, store: Store): HTMLElement {
   return list;
 }
 
-function header(result: Result, store: Store, theme: HTMLElement): HTMLElement {
+function header(result: Result, store: PairStore, theme: HTMLElement): HTMLElement {
   const { report } = result.manifest;
   const names = `${fileName(report.source.file)} → ${fileName(report.target.file)}`;
   document.title = `${names} – isomatch`;
@@ -63,7 +66,7 @@ function meshWarnings(result: Result): HTMLElement | null {
 }
 
 /** The names of the sides over the canvas. */
-function sideLabels(store: Store): HTMLElement {
+function sideLabels(store: PairStore): HTMLElement {
   const source = h('span', {}, 'Source');
   const target = h('span', {}, 'Target');
   const labels = h('div', { class: 'sides' }, source, target);
@@ -76,19 +79,6 @@ function sideLabels(store: Store): HTMLElement {
   store.listen(show);
   show();
   return labels;
-}
-
-/** Nothing where the browser cannot draw it; all else is of use without. */
-function stageIn(box: HTMLElement, result: Result, store: Store): Stage | null {
-  try {
-    return new Stage(box, result, store);
-  } catch (error) {
-    if (!/webgl/i.test(String(error))) throw error;
-    const hint =
-      'This browser does not draw in 3D (WebGL). Try another one, or switch hardware acceleration on.';
-    box.replaceChildren(h('p', { class: 'no-webgl' }, hint));
-    return null;
-  }
 }
 
 /** Builds the page; the first picture is drawn when this returns. */
@@ -115,10 +105,12 @@ export function showPage(root: HTMLElement, result: Result): void {
       controls(result, store, () => stage?.resetViews()),
     ),
   );
-  stage = stageIn(canvasBox, result, store);
+  stage = withWebgl(canvasBox, () => new Stage(canvasBox, result, store));
   if (stage) {
-    stage.onColors = (colors) => legend.show(store.state.coloring, colors);
-    legend.show(store.state.coloring, stage.colors);
+    const showLegend = (colors: Colors | null) =>
+      legend.show(helpOf(store.state.coloring), colors?.range ?? null);
+    stage.onColors = showLegend;
+    showLegend(stage.colors);
     point.show(result, store.state);
     store.listen((state) => point.show(result, state));
   }

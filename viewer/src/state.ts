@@ -1,4 +1,5 @@
 import type { Side } from './data/result';
+import type { Store } from './store';
 
 export type Coloring =
   'map' | 'checker' | 'confidence' | 'd_iso' | 'error' | 'curvature' | 'patches';
@@ -28,29 +29,4 @@ export interface State {
   selected: Point | null;
 }
 
-type Listener = (state: State, changed: Set<keyof State>) => void;
-
-/** Tells listeners what changed, in the order in which they came. */
-export class Store {
-  private readonly listeners: Listener[] = [];
-
-  constructor(private current: State) {}
-
-  get state(): Readonly<State> {
-    return this.current;
-  }
-
-  set(change: Partial<State>): void {
-    const keys = (Object.keys(change) as (keyof State)[]).filter(
-      (key) => this.current[key] !== change[key],
-    );
-    if (keys.length === 0) return;
-    this.current = { ...this.current, ...change };
-    const changed = new Set(keys);
-    for (const listener of this.listeners) listener(this.current, changed);
-  }
-
-  listen(listener: Listener): void {
-    this.listeners.push(listener);
-  }
-}
+export type PairStore = Store<State>;

@@ -1,42 +1,18 @@
 import { meanCurvature } from '../geometry/curvature';
 import { nearestBase } from '../geometry/patches';
-import { NONE, type Result, type Shape, type Side } from '../data/result';
+import type { Result, Side } from '../data/result';
+import { NONE, type Shape } from '../data/shape';
 import { quantile, sorted } from '../data/statistics';
 import type { State } from '../state';
-import { positionColor, type Rgb } from './oklab';
-import { diverging, GREY, type Scale, viridis } from './scales';
-
-/** A colour scale and the values at its ends. */
-export interface Range {
-  scale: Scale;
-  low: number;
-  high: number;
-  /** What is above `high` has its colour. */
-  open: boolean;
-}
+import type { Rgb } from './oklab';
+import { fill, openRange, paint, placeColor, type Range } from './paint';
+import { diverging, GREY, viridis } from './scales';
 
 export interface Colors {
   source: Float32Array;
   target: Float32Array;
   /** Of values; none where colours stand for places. */
   range: Range | null;
-}
-
-function fill(count: number, color: (vertex: number) => Rgb): Float32Array {
-  const colors = new Float32Array(3 * count);
-  for (let v = 0; v < count; ++v) colors.set(color(v), 3 * v);
-  return colors;
-}
-
-/** Paints a shape by values; grey where there is none. */
-function paint(values: Float32Array, { scale, low, high }: Range): Float32Array {
-  return fill(values.length, (v) =>
-    Number.isNaN(values[v]!) ? GREY : scale((values[v]! - low) / (high - low || 1)),
-  );
-}
-
-function placeColor(place: Float32Array, v: number): Rgb {
-  return positionColor(place[3 * v]!, place[3 * v + 1]!, place[3 * v + 2]!);
 }
 
 function byMap(result: Result, state: State): Colors {
@@ -53,9 +29,7 @@ function byMap(result: Result, state: State): Colors {
 
 /** The values of the source on both sides: those of a target vertex are its partner's. */
 function bySourceValue(result: Result, state: State, values: Float32Array): Colors {
-  // A few bad vertices must not make everything else look the same.
-  const high = quantile(sorted(values), 0.98) || Math.max(0, quantile(sorted(values), 1)) || 1;
-  const range = { scale: viridis, low: 0, high, open: true };
+  const range = openRange(values);
   const { back } = result.map(state.map);
   const carried = Float32Array.from(back, (v) => (v === NONE ? NaN : values[v]!));
   return { source: paint(values, range), target: paint(carried, range), range };

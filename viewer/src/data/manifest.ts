@@ -8,6 +8,11 @@ export interface Box {
   size: Triple;
 }
 
+/** A place lies at `(axes * point - low) / size`. */
+export interface ColorBox extends Box {
+  axes: [Triple, Triple, Triple];
+}
+
 export interface ShapeEntry extends Box {
   vertices: number;
   faces: number;
@@ -84,7 +89,7 @@ export interface Manifest {
   folder: string;
   source: ShapeEntry;
   target: ShapeEntry;
-  colors: { axes: [Triple, Triple, Triple]; low: Triple; size: Triple };
+  colors: ColorBox;
   truth: { source: string; target: string } | null;
   maps: MapEntry[];
   levels: LevelEntry[];

@@ -1,5 +1,6 @@
 import type { State } from '../state';
-import { NONE, type Result } from './result';
+import type { Result } from './result';
+import { NONE } from './shape';
 import { worst } from './statistics';
 
 /** A source vertex and where it goes. */

@@ -1,4 +1,4 @@
-import type { Shape } from '../data/result';
+import type { Shape } from '../data/shape';
 import { neighbours } from './graph';
 
 /**

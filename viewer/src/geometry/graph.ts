@@ -1,4 +1,4 @@
-import type { Shape } from '../data/result';
+import type { Shape } from '../data/shape';
 
 /** Neighbours of vertex v are entries [start[v], start[v + 1]); an edge of two faces occurs twice. */
 export interface Graph {

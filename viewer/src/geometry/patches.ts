@@ -1,4 +1,4 @@
-import { NONE, type Shape } from '../data/result';
+import { NONE, type Shape } from '../data/shape';
 import { neighbours } from './graph';
 
 /** A binary heap of vertices by distance; an entry that was improved later is passed over. */

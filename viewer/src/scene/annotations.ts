@@ -1,6 +1,7 @@
 import { css, positionColor } from '../color/oklab';
 import { isCoarse, type Line, sampledLines, worstByIso, worstByTruth } from '../data/matches';
-import { NONE, type Result } from '../data/result';
+import type { Result } from '../data/result';
+import { NONE } from '../data/shape';
 import type { Point, State } from '../state';
 import type { Stage } from './stage';
 import type { ScreenPoint } from './view';

@@ -1,18 +1,14 @@
-import type { Result } from '../data/result';
 import { FIELD_OF_VIEW } from './orbit';
 
 /** More than one leaves a margin. */
 const MARGIN = 1.08;
 
-/** What has to be in sight: both shapes, and the source in each pose that it is bent into. */
+/** What has to be in sight. */
 export class Extent {
-  private readonly places: ArrayLike<number>[];
   private readonly known = new Map<number, number>();
 
-  constructor(result: Result) {
-    this.places = [result.source.position, result.target.position];
-    for (let k = 0; k < result.numMaps; ++k) this.places.push(result.map(k).registered);
-  }
+  /** Points in the viewer's coordinates. */
+  constructor(private readonly places: ArrayLike<number>[]) {}
 
   /** From how far away all is within a view of this width over height. */
   distance(aspect: number): number {

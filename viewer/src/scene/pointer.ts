@@ -1,26 +1,39 @@
-import type { Stage } from './stage';
 import type { View } from './view';
 
 const TURN = 0.008;
 
-interface Finger {
+/** In CSS pixels, from the canvas's top left. */
+export interface Place {
   x: number;
   y: number;
 }
 
+/** A canvas whose views are turned, and whose shapes are pointed at. */
+export interface Turnable {
+  viewAt(x: number, y: number): View | null;
+  /** `view` if it is on the canvas, otherwise the first that is. */
+  visibleView(view: View | null): View;
+  moveView(view: View, move: (view: View) => void): void;
+  /** Where the pointer is; null once it has left. */
+  hoverAt(place: Place | null): void;
+  clickAt(place: Place): void;
+  /** Escape was pressed. */
+  letGo(): void;
+}
+
 /** Turns, shifts and zooms with mouse, fingers and keys; hovers and selects. */
 class Pointer {
-  private readonly fingers = new Map<number, Finger>();
+  private readonly fingers = new Map<number, Place>();
   private view: View | null = null;
   private moved = 0;
-  private hoverAt: Finger | null = null;
+  private hoverAt: Place | null = null;
 
   constructor(
     private readonly box: HTMLElement,
-    private readonly stage: Stage,
+    private readonly stage: Turnable,
   ) {}
 
-  private at(event: PointerEvent | WheelEvent | MouseEvent): Finger {
+  private at(event: PointerEvent | WheelEvent | MouseEvent): Place {
     const { left, top } = this.box.getBoundingClientRect();
     return { x: event.clientX - left, y: event.clientY - top };
   }
@@ -49,14 +62,14 @@ class Pointer {
     this.fingers.set(event.pointerId, now);
   }
 
-  private drag(event: PointerEvent, before: Finger, now: Finger, dx: number, dy: number): void {
+  private drag(event: PointerEvent, before: Place, now: Place, dx: number, dy: number): void {
     const { view } = this;
     if (!view) return;
     const { height } = view.rectangle;
     const other = [...this.fingers].find(([id]) => id !== event.pointerId)?.[1];
     this.stage.moveView(view, ({ orbit }) => {
       if (other) {
-        const spread = (finger: Finger) => Math.hypot(finger.x - other.x, finger.y - other.y) || 1;
+        const spread = (finger: Place) => Math.hypot(finger.x - other.x, finger.y - other.y) || 1;
         orbit.scale(spread(now) / spread(before));
         orbit.pan(dx / 2 / height, -dy / 2 / height);
       } else if (event.shiftKey || (event.buttons & 6) !== 0) {
@@ -71,24 +84,23 @@ class Pointer {
     const finger = this.fingers.get(event.pointerId);
     this.fingers.delete(event.pointerId);
     const CLICK = 5;
-    if (finger && this.moved < CLICK && event.type === 'pointerup')
-      this.stage.select(this.stage.pointAt(finger.x, finger.y));
+    if (finger && this.moved < CLICK && event.type === 'pointerup') this.stage.clickAt(finger);
   }
 
-  private hoverSoon(finger: Finger): void {
+  private hoverSoon(finger: Place): void {
     const waiting = this.hoverAt !== null;
     this.hoverAt = finger;
     if (waiting) return;
     requestAnimationFrame(() => {
       const place = this.hoverAt;
       this.hoverAt = null;
-      if (place && this.fingers.size === 0) this.stage.hover(this.stage.pointAt(place.x, place.y));
+      if (place && this.fingers.size === 0) this.stage.hoverAt(place);
     });
   }
 
   leave(): void {
     this.hoverAt = null;
-    this.stage.hover(null);
+    this.stage.hoverAt(null);
   }
 
   /** Zooms once the shapes were clicked on, or with Ctrl, as pinching a touch pad is told; the page
@@ -121,7 +133,7 @@ class Pointer {
   }
 }
 
-export function listenToPointer(box: HTMLElement, stage: Stage): void {
+export function listenToPointer(box: HTMLElement, stage: Turnable): void {
   const pointer = new Pointer(box, stage);
   box.addEventListener('pointerdown', (event) => pointer.down(event));
   box.addEventListener('pointermove', (event) => pointer.move(event));
@@ -131,7 +143,7 @@ export function listenToPointer(box: HTMLElement, stage: Stage): void {
   box.addEventListener('wheel', (event) => pointer.wheel(event), { passive: false });
   box.addEventListener('keydown', (event) => pointer.key(event));
   document.addEventListener('keydown', ({ key }) => {
-    if (key === 'Escape') stage.select(null);
+    if (key === 'Escape') stage.letGo();
   });
   box.addEventListener('contextmenu', (event) => event.preventDefault());
 }

@@ -1,18 +1,19 @@
 import { WebGLRenderer } from 'three';
 import { colorsOf, type Colors, Patches } from '../color/coloring';
 import type { Result, Side } from '../data/result';
-import type { Point, State, Store } from '../state';
+import type { Point, State, PairStore } from '../state';
 import { drawAnnotations } from './annotations';
-import { Extent } from './extent';
-import { listenToPointer } from './pointer';
+import type { Extent } from './extent';
+import { extentOf } from './pair_extent';
+import { listenToPointer, type Place, type Turnable } from './pointer';
 import { Surface } from './surface';
 import { View } from './view';
 
 const CHECKER_SQUARES = 14;
 
 /** The canvas on which both shapes are seen, and the drawing of matches over it. */
-export class Stage {
-  readonly views: Record<Side, View> = { source: new View('source'), target: new View('target') };
+export class Stage implements Turnable {
+  readonly views: Record<Side, View> = { source: new View(), target: new View() };
   readonly surfaces: Record<Side, Surface>;
   readonly patches: Patches;
   colors: Colors | null = null;
@@ -29,11 +30,11 @@ export class Stage {
   constructor(
     private readonly box: HTMLElement,
     private readonly result: Result,
-    private readonly store: Store,
+    private readonly store: PairStore,
   ) {
     this.surfaces = { source: new Surface(result.source), target: new Surface(result.target) };
     this.patches = new Patches(result);
-    this.extent = new Extent(result);
+    this.extent = extentOf(result);
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setScissorTest(true);
     const canvas = document.createElement('canvas');
@@ -82,22 +83,35 @@ export class Stage {
     this.redraw();
   }
 
+  hoverAt(place: Place | null): void {
+    this.hover(place && this.pointAt(place.x, place.y));
+  }
+
+  clickAt(place: Place): void {
+    this.select(this.pointAt(place.x, place.y));
+  }
+
+  letGo(): void {
+    this.select(null);
+  }
+
   /** What lies at a place on the canvas. */
-  pointAt(x: number, y: number): Point | null {
+  private pointAt(x: number, y: number): Point | null {
     const view = this.viewAt(x, y);
     if (!view) return null;
-    const side = this.store.state.layout === 'overlay' ? 'source' : view.side;
+    const overlay = this.store.state.layout === 'overlay';
+    const side = overlay || view === this.views.source ? 'source' : 'target';
     const vertex = view.pick(this.surfaces[side], x, y);
     return vertex < 0 ? null : { side, vertex };
   }
 
-  hover(point: Point | null): void {
+  private hover(point: Point | null): void {
     const { hovered } = this.store.state;
     if (hovered?.side === point?.side && hovered?.vertex === point?.vertex) return;
     this.store.set({ hovered: point });
   }
 
-  select(point: Point | null): void {
+  private select(point: Point | null): void {
     this.store.set({ selected: point });
   }
 
@@ -124,8 +138,10 @@ export class Stage {
     const squares = state.coloring === 'checker' ? CHECKER_SQUARES : 0;
     this.colors = colors;
     const { place, partner, back } = this.result.map(state.map);
-    this.surfaces.source.setColors(colors.source, place, partner);
-    this.surfaces.target.setColors(colors.target, this.result.target.place!, back);
+    this.surfaces.source.setColors(colors.source);
+    this.surfaces.target.setColors(colors.target);
+    this.surfaces.source.setPlaces(place, partner);
+    this.surfaces.target.setPlaces(this.result.target.place!, back);
     for (const surface of Object.values(this.surfaces)) surface.setChecker(squares);
     this.onColors(colors);
   }

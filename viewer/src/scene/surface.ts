@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial } from 'three';
-import { NONE, type Shape } from '../data/result';
+import { NONE, type Shape } from '../data/shape';
 
 const VERTEX = `
   attribute vec3 color;
@@ -48,18 +48,26 @@ const FRAGMENT = `
     #include <colorspace_fragment>
   }`;
 
+const attributes = new WeakMap<Float32Array | Uint32Array, BufferAttribute>();
+
+/** Surfaces that share an array share it on the graphics card as well. */
+function attribute(values: Float32Array | Uint32Array, size: number): BufferAttribute {
+  let known = attributes.get(values);
+  if (!known) attributes.set(values, (known = new BufferAttribute(values, size)));
+  return known;
+}
+
 /** A shape on the graphics card. */
 export class Surface {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
 
   constructor(private readonly shape: Shape) {
     const geometry = new BufferGeometry();
-    const attribute = (values: Float32Array) => new BufferAttribute(values, 3);
-    geometry.setIndex(new BufferAttribute(shape.faces, 1));
-    geometry.setAttribute('position', attribute(shape.position));
-    geometry.setAttribute('normal', attribute(shape.normal));
-    geometry.setAttribute('moved', attribute(shape.position));
-    geometry.setAttribute('movedNormal', attribute(shape.normal));
+    geometry.setIndex(attribute(shape.faces, 1));
+    geometry.setAttribute('position', attribute(shape.position, 3));
+    geometry.setAttribute('normal', attribute(shape.normal, 3));
+    geometry.setAttribute('moved', attribute(shape.position, 3));
+    geometry.setAttribute('movedNormal', attribute(shape.normal, 3));
     const material = new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
@@ -74,26 +82,31 @@ export class Surface {
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
-    this.setColors(
-      new Float32Array(shape.position.length),
-      shape.position,
-      new Int32Array(shape.count),
-    );
+    this.setColors(new Float32Array(shape.position.length));
+    this.setPlaces(shape.position, new Int32Array(shape.count));
   }
 
-  /** `place` is where the checkerboard takes its squares from; there are none at vertices without
-   * a `partner`. */
-  setColors(colors: Float32Array, place: Float32Array, partner: Int32Array): void {
+  setColors(colors: Float32Array): void {
+    this.mesh.geometry.setAttribute('color', attribute(colors, 3));
+  }
+
+  /** Where the checkerboard takes its squares from; there are none at vertices without a `partner`. */
+  setPlaces(place: Float32Array, partner: Int32Array): void {
     const matched = Float32Array.from(partner, (v) => (v === NONE ? 0 : 1));
     this.mesh.geometry.setAttribute('matched', new BufferAttribute(matched, 1));
-    this.mesh.geometry.setAttribute('color', new BufferAttribute(colors, 3));
-    this.mesh.geometry.setAttribute('place', new BufferAttribute(place, 3));
+    this.mesh.geometry.setAttribute('place', attribute(place, 3));
   }
 
   /** Where `setMorph(1)` takes the vertices. */
   setMoved(position: Float32Array, normal: Float32Array): void {
-    this.mesh.geometry.setAttribute('moved', new BufferAttribute(position, 3));
-    this.mesh.geometry.setAttribute('movedNormal', new BufferAttribute(normal, 3));
+    this.mesh.geometry.setAttribute('moved', attribute(position, 3));
+    this.mesh.geometry.setAttribute('movedNormal', attribute(normal, 3));
+  }
+
+  /** After the shape's own arrays were changed. */
+  shapeChanged(): void {
+    for (const name of ['position', 'normal'])
+      this.mesh.geometry.getAttribute(name).needsUpdate = true;
   }
 
   setMorph(share: number): void {

@@ -1,5 +1,4 @@
 import { Matrix4, PerspectiveCamera, Scene, Vector3 } from 'three';
-import type { Side } from '../data/result';
 import type { Extent } from './extent';
 import { Orbit } from './orbit';
 import type { Surface } from './surface';
@@ -25,8 +24,6 @@ export class View {
   readonly orbit = new Orbit();
   readonly scene = new Scene();
   rectangle: Rectangle = { x: 0, y: 0, width: 1, height: 1 };
-
-  constructor(readonly side: Side) {}
 
   contains(x: number, y: number): boolean {
     const { rectangle: r } = this;

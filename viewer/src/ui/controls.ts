@@ -1,8 +1,9 @@
 import type { Result } from '../data/result';
 import { statistics } from '../data/statistics';
-import type { Coloring, State, Store } from '../state';
+import type { Coloring, Layout, PairStore, State } from '../state';
 import { h } from './dom';
 import { number } from './format';
+import { choiceOf, sliderOf } from './inputs';
 import { playButton } from './player';
 
 interface ColoringChoice {
@@ -58,25 +59,18 @@ const available = (result: Result, choice: Coloring): boolean =>
 export const helpOf = (coloring: Coloring): string =>
   COLORINGS.find(({ value }) => value === coloring)!.help;
 
-function coloringChoice(result: Result, store: Store): HTMLElement {
-  const box = h('fieldset', { class: 'choices' }, h('legend', {}, 'Colours'));
-  for (const { value, name } of COLORINGS.filter((choice) => available(result, choice.value))) {
-    const input = h('input', {
-      type: 'radio',
-      name: 'coloring',
-      value,
-      change: () => store.set({ coloring: value }),
-    });
-    store.listen(({ coloring }) => (input.checked = coloring === value));
-    input.checked = store.state.coloring === value;
-    box.append(h('label', {}, input, h('span', {}, name)));
-  }
-  return box;
+function coloringChoice(result: Result, store: PairStore): HTMLElement {
+  const choices = COLORINGS.filter((choice) => available(result, choice.value));
+  const choose = (coloring: Coloring) => store.set({ coloring });
+  const { element, show } = choiceOf('coloring', 'Colours', choices, choose);
+  store.listen(({ coloring }) => show(coloring));
+  show(store.state.coloring);
+  return element;
 }
 
 type NumberKey = 'map' | 'level' | 'morph' | 'lines';
 
-interface SliderOptions {
+interface StateSlider {
   key: NumberKey;
   label: string;
   max: number;
@@ -85,25 +79,17 @@ interface SliderOptions {
   change?: (value: number) => Partial<State>;
 }
 
-function slider(store: Store, options: SliderOptions): HTMLElement {
-  const { key, label, max, step = 1, describe, change } = options;
-  const output = h('output');
-  const input = h('input', { type: 'range', min: 0, max, step, id: key });
-  input.addEventListener('input', () => {
-    const value = Number(input.value);
-    store.set(change ? change(value) : { [key]: value });
-  });
-  const show = (state: Readonly<State>) => {
-    input.value = String(state[key]);
-    output.textContent = describe(state[key]);
-  };
-  store.listen(show);
-  show(store.state);
-  return h('div', { class: 'slider' }, h('label', { for: key }, label), output, input);
+function slider(store: PairStore, options: StateSlider): HTMLElement {
+  const { key, label, max, step, describe, change } = options;
+  const set = (value: number) => store.set(change ? change(value) : { [key]: value });
+  const { element, show } = sliderOf({ id: key, label, max, step, describe, change: set });
+  store.listen((state) => show(state[key]));
+  show(store.state[key]);
+  return element;
 }
 
 function toggle(
-  store: Store,
+  store: PairStore,
   key: 'linked' | 'worstIso' | 'worstTruth',
   ...label: (Node | string)[]
 ): HTMLElement {
@@ -115,7 +101,7 @@ function toggle(
 }
 
 /** Levels of the paper's method; coarse ones are looked at in patches. */
-function levelSlider(result: Result, store: Store): HTMLElement {
+function levelSlider(result: Result, store: PairStore): HTMLElement {
   const last = result.numLevels - 1;
   return slider(store, {
     key: 'level',
@@ -136,7 +122,7 @@ function levelSlider(result: Result, store: Store): HTMLElement {
   });
 }
 
-function mapSlider(result: Result, store: Store): HTMLElement {
+function mapSlider(result: Result, store: PairStore): HTMLElement {
   const { map, alternatives = [] } = result.manifest.report;
   return slider(store, {
     key: 'map',
@@ -150,26 +136,20 @@ function mapSlider(result: Result, store: Store): HTMLElement {
   });
 }
 
-function layoutChoice(store: Store): HTMLElement {
-  const box = h('fieldset', { class: 'choices' }, h('legend', {}, 'View'));
-  for (const [value, name] of [
-    ['pair', 'Side by side'],
-    ['overlay', 'Overlay'],
-  ] as const) {
-    const input = h('input', {
-      type: 'radio',
-      name: 'layout',
-      value,
-      change: () => store.set({ layout: value }),
-    });
-    store.listen(({ layout }) => (input.checked = layout === value));
-    input.checked = store.state.layout === value;
-    box.append(h('label', {}, input, h('span', {}, name)));
-  }
-  return box;
+const LAYOUTS = [
+  { value: 'pair', name: 'Side by side' },
+  { value: 'overlay', name: 'Overlay' },
+] as const;
+
+function layoutChoice(store: PairStore): HTMLElement {
+  const choose = (layout: Layout) => store.set({ layout });
+  const { element, show } = choiceOf('layout', 'View', LAYOUTS, choose);
+  store.listen(({ layout }) => show(layout));
+  show(store.state.layout);
+  return element;
 }
 
-function morphControl(result: Result, store: Store): HTMLElement {
+function morphControl(result: Result, store: PairStore): HTMLElement {
   const bent = slider(store, {
     key: 'morph',
     label: 'Bend the source into the target’s pose',
@@ -183,7 +163,7 @@ function morphControl(result: Result, store: Store): HTMLElement {
   return bent;
 }
 
-function lineControls(result: Result, store: Store): HTMLElement {
+function lineControls(result: Result, store: PairStore): HTMLElement {
   const box = h('fieldset', {}, h('legend', {}, 'Match lines'));
   box.append(
     slider(store, {
@@ -202,7 +182,7 @@ function lineControls(result: Result, store: Store): HTMLElement {
   return box;
 }
 
-export function controls(result: Result, store: Store, resetViews: () => void): HTMLElement {
+export function controls(result: Result, store: PairStore, resetViews: () => void): HTMLElement {
   const cameras = h(
     'div',
     { class: 'row' },

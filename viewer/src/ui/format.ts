@@ -19,3 +19,9 @@ export const quote = (word: string): string =>
 
 /** The last part of a path. */
 export const fileName = (path: string): string => path.split('/').pop() || path;
+
+/** With one decimal and a sign. */
+export function deviation(value: number): string {
+  const digits = Math.abs(value).toFixed(1);
+  return Number(digits) === 0 ? digits : (value < 0 ? '−' : '+') + digits;
+}

@@ -1,7 +1,5 @@
-import type { Colors } from '../color/coloring';
 import { css } from '../color/oklab';
-import type { Coloring } from '../state';
-import { helpOf } from './controls';
+import type { Range } from '../color/paint';
 import { h } from './dom';
 import { number } from './format';
 
@@ -11,9 +9,8 @@ const STEPS = 16;
 export class Legend {
   readonly element = h('div', { class: 'legend', 'aria-live': 'polite' });
 
-  show(coloring: Coloring, colors: Colors | null): void {
+  show(help: string, range: Range | null): void {
     this.element.replaceChildren();
-    const range = colors?.range;
     if (range) {
       const stops = Array.from({ length: STEPS + 1 }, (_, i) => css(range.scale(i / STEPS)));
       this.element.append(
@@ -26,6 +23,6 @@ export class Legend {
         ),
       );
     }
-    this.element.append(h('p', {}, helpOf(coloring)));
+    this.element.append(h('p', {}, help));
   }
 }

@@ -1,4 +1,5 @@
 import type { Result } from '../data/result';
+import { commandToRepeat } from './command';
 import { h } from './dom';
 import { number, quote, seconds } from './format';
 
@@ -32,22 +33,13 @@ function keyNumbers(result: Result): [string, string][] {
   return rows;
 }
 
-function copyButton(text: string): HTMLElement {
-  const button = h('button', { type: 'button', id: 'copy' }, 'Copy');
-  button.addEventListener('click', () => {
-    const done = () => (button.textContent = 'Copied');
-    navigator.clipboard?.writeText(text).then(done, () => (button.textContent = 'Select and copy'));
-  });
-  return button;
-}
-
 export function numbers(result: Result): HTMLElement {
   const line = commandLine(result);
   const table = h('table', { class: 'numbers' });
   for (const [name, value] of keyNumbers(result))
     table.append(h('tr', {}, h('th', { scope: 'row' }, name), h('td', {}, value)));
   const section = h('section', { class: 'panel' }, h('h2', {}, 'Numbers'), table);
-  if (line) section.append(h('h3', {}, 'To repeat this run'), h('pre', {}, line), copyButton(line));
+  if (line) section.append(...commandToRepeat(line));
   section.append(
     h(
       'details',

@@ -1,11 +1,11 @@
-import type { Store } from '../state';
+import type { PairStore } from '../state';
 import { h } from './dom';
 
 const DURATION = 2000;
 
 /** A button that moves the source to the target's pose, or back, and stops when clicked again or
  * when the pose is changed otherwise. */
-export function playButton(store: Store): HTMLElement {
+export function playButton(store: PairStore): HTMLElement {
   const button = h('button', { type: 'button', id: 'play', click: () => toggle() }, 'Play');
   let frame = 0;
   let shown = NaN;

@@ -1,6 +1,6 @@
 import type { Result } from '../data/result';
 import { histogram, quantile, sorted, statistics } from '../data/statistics';
-import type { State, Store } from '../state';
+import type { State, PairStore } from '../state';
 import { Chart } from './chart';
 import { h } from './dom';
 import { number, percent, seconds } from './format';
@@ -9,7 +9,7 @@ import { number, percent, seconds } from './format';
 type Plot = (state: Readonly<State>) => Element | null;
 
 /** Figure 8 of the paper. */
-function distortionByLevel(result: Result, store: Store): Plot {
+function distortionByLevel(result: Result, store: PairStore): Plot {
   const means = Array.from(
     { length: result.numLevels },
     (_, k) => statistics(result.level(k).dIso).mean,
@@ -117,7 +117,7 @@ interface PlotEntry {
   keys: (keyof State)[];
 }
 
-function entries(result: Result, store: Store): PlotEntry[] {
+function entries(result: Result, store: PairStore): PlotEntry[] {
   const all: PlotEntry[] = [];
   if (result.map(0).error)
     all.push({ title: 'Ground-truth error', plot: errorCurve(result), keys: ['map'] });
@@ -134,7 +134,7 @@ function entries(result: Result, store: Store): PlotEntry[] {
   return all;
 }
 
-export function plots(result: Result, store: Store): HTMLElement {
+export function plots(result: Result, store: PairStore): HTMLElement {
   const box = h('div', { class: 'plots' });
   for (const { title, plot, keys } of entries(result, store)) {
     const place = h('div');

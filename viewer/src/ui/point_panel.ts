@@ -1,4 +1,5 @@
-import { NONE, type Result } from '../data/result';
+import type { Result } from '../data/result';
+import { NONE } from '../data/shape';
 import type { Point, State } from '../state';
 import { h } from './dom';
 import { number } from './format';
@@ -11,7 +12,7 @@ const TOUCH_HINT =
 /** How to use the shapes with what the viewer has at hand. */
 export const hint = (touch: boolean): string => (touch ? TOUCH_HINT : MOUSE_HINT);
 
-const hasTouch = (): boolean => matchMedia('(hover: none) and (pointer: coarse)').matches;
+export const hasTouch = (): boolean => matchMedia('(hover: none) and (pointer: coarse)').matches;
 
 /** A vertex, its partner and their numbers. */
 export function describePoint(result: Result, state: State, point: Point): string {

@@ -1,20 +1,12 @@
 import type { Fit, Report } from '../data/manifest';
 import type { Result } from '../data/result';
-import type { Store } from '../state';
+import type { PairStore } from '../state';
 import { h } from './dom';
-
-const BADGES = {
-  good: { icon: '✓', word: 'Good fit' },
-  doubtful: { icon: '!', word: 'Doubtful fit' },
-  poor: { icon: '✕', word: 'Poor fit' },
-} as const;
+import { BADGES, sentence } from './grades';
 
 /** Of the best map, 0, or of an alternative. */
 export const fitOf = (report: Report, map: number): Fit | undefined =>
   map === 0 ? report.fit : report.alternatives?.[map - 1]?.fit;
-
-const sentence = (clause: string): string =>
-  `${clause.charAt(0).toUpperCase()}${clause.slice(1)}${clause.endsWith('.') ? '' : '.'}`;
 
 function badge({ grade, reasons }: Fit): HTMLElement[] {
   const { icon, word } = BADGES[grade];
@@ -27,7 +19,7 @@ function badge({ grade, reasons }: Fit): HTMLElement[] {
 }
 
 /** Whether the map that is shown can be trusted, and why not. */
-export function verdict(result: Result, store: Store): HTMLElement {
+export function verdict(result: Result, store: PairStore): HTMLElement {
   const box = h('section', { 'aria-label': 'Verdict', 'aria-live': 'polite' });
   const show = () => {
     const fit = fitOf(result.manifest.report, store.state.map);

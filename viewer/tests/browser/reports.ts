@@ -1,12 +1,14 @@
 import { execFile } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const PROGRAM = process.env.ISOMATCH_PROGRAM ?? join(ROOT, 'build/dev/tools/isomatch');
+/** Writes the page of a made-up collection. */
+export const SAMPLE_GROUP = join(dirname(PROGRAM), '../tests/tools/sample_group_page');
 /** Shapes that may not be redistributed. */
 const DATA = process.env.ISOMATCH_TEST_DATA ?? join(ROOT, '../shared/data');
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { NONE } from '../../src/data/result';
+import { NONE } from '../../src/data/shape';
 import { meanCurvature } from '../../src/geometry/curvature';
 import { vertexNormals } from '../../src/geometry/normals';
 import { nearestBase } from '../../src/geometry/patches';

@@ -3,8 +3,9 @@ import { colorsOf, Patches } from '../../src/color/coloring';
 import { GREY, viridis } from '../../src/color/scales';
 import type { Manifest, Report } from '../../src/data/manifest';
 import { sampledLines, worstByIso, worstByTruth } from '../../src/data/matches';
-import { NONE, Result } from '../../src/data/result';
-import { Extent } from '../../src/scene/extent';
+import { Result } from '../../src/data/result';
+import { NONE } from '../../src/data/shape';
+import { extentOf } from '../../src/scene/pair_extent';
 import { FIELD_OF_VIEW } from '../../src/scene/orbit';
 import type { State } from '../../src/state';
 import { remarks, warnings } from '../../src/ui/summary';
@@ -77,7 +78,7 @@ describe('what has to be in sight', () => {
       numMaps: 1,
       map: () => ({ registered: Float32Array.from([3, 0, 0]) }),
     } as unknown as Result;
-    const extent = new Extent(result);
+    const extent = extentOf(result);
     const tangent = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
     for (const aspect of [0.4, 1, 2.5]) {
       const distance = extent.distance(aspect);

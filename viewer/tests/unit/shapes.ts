@@ -1,4 +1,4 @@
-import type { Shape } from '../../src/data/result';
+import type { Shape } from '../../src/data/shape';
 import { vertexNormals } from '../../src/geometry/normals';
 
 export function shapeOf(position: number[], faces: number[]): Shape {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { type State, Store } from '../../src/state';
+import type { State } from '../../src/state';
+import { Store } from '../../src/store';
 
 const state: State = {
   coloring: 'map',
