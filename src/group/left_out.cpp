@@ -2,13 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "group/left_out.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isomatch {
 namespace {
 
 /// Shares of the largest sum of squares that are taken for rounding.
-constexpr double kRounding = 1e-13;
+constexpr double kTakenForRounding = 1e-13;
 
 }  // namespace
 
@@ -19,7 +20,7 @@ double LeftOut::part_along(Eigen::Index k) const {
   const bool is_last = k + 1 == squares_.size();
   const double high = squares_[k], low = is_last ? 0 : squares_[k + 1];
   // An axis that is the same with the shape and without has nothing of it.
-  const double rounding = kRounding * squares_[0];
+  const double rounding = kTakenForRounding * squares_[0];
   if (high - low <= rounding || weights_[k] <= rounding) return 0;
   // Nor has one along which the others do not vary.
   constexpr double kNoVariance = 1e-9;
@@ -43,7 +44,6 @@ double LeftOut::zero(Interval interval) const {
   constexpr double kExact = 1e-9;
   double offset = (interval.low + interval.high) / 2;
   for (int step = 0; step < kMostSteps; ++step) {
-    (secular(interval.end, offset) > 0 ? interval.low : interval.high) = offset;
     double next = next_guess(interval, offset);
     if (!(next > interval.low && next < interval.high)) next = (interval.low + interval.high) / 2;
     const double change = std::abs(next - offset);
@@ -55,7 +55,7 @@ double LeftOut::zero(Interval interval) const {
 
 /// The zero of the rational function that has a pole at each end, and of which either half has
 /// value and slope as here (Bunch, Nielsen and Sorensen 1978).
-double LeftOut::next_guess(const Interval& interval, double offset) const {
+double LeftOut::next_guess(Interval& interval, double offset) const {
   const Eigen::Index above = interval.k + 1, below = squares_.size() - above;
   const Eigen::ArrayXd distances = (squares_.array() - interval.end) - offset;
   const Eigen::ArrayXd terms = weights_ / distances;
@@ -63,13 +63,15 @@ double LeftOut::next_guess(const Interval& interval, double offset) const {
   const double to_high = distances[above - 1];
   const double high_slope = slopes.head(above).sum();
   const double high_weight = high_slope * to_high * to_high;
-  double rest = 1 - terms.head(above).sum() + high_slope * to_high;
+  const double high_sum = terms.head(above).sum(), low_sum = terms.tail(below).sum();
+  (1 - high_sum - low_sum > 0 ? interval.low : interval.high) = offset;
+  double rest = 1 - high_sum + high_slope * to_high;
   const double high = squares_[above - 1] - interval.end;
   if (below == 0) return high - high_weight / rest;
   const double to_low = distances[above];
   const double low_slope = slopes.tail(below).sum();
   const double low_weight = low_slope * to_low * to_low;
-  rest += low_slope * to_low - terms.tail(below).sum();
+  rest += low_slope * to_low - low_sum;
   const double low = squares_[above] - interval.end;
   // rest (high - x) (low - x) = high_weight (low - x) + low_weight (high - x)
   const double linear = rest * (high + low) - high_weight - low_weight;

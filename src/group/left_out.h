@@ -27,7 +27,8 @@ class LeftOut {
 
   double secular(double end, double offset) const;
   double zero(Interval interval) const;
-  double next_guess(const Interval& interval, double offset) const;
+  /// Narrows the interval by the sign at `offset`, and returns where the zero seems to be.
+  double next_guess(Interval& interval, double offset) const;
 
   const Eigen::VectorXd& squares_;
   Eigen::ArrayXd weights_;
