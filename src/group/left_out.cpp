@@ -4,33 +4,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace isomatch {
-namespace {
-
-/// Shares of the largest sum of squares that are taken for rounding.
-constexpr double kTakenForRounding = 1e-13;
-
-}  // namespace
-
 LeftOut::LeftOut(const Eigen::VectorXd& squares, const Eigen::VectorXd& shape, double factor)
-    : squares_(squares), weights_(factor * shape.array().square()), factor_(factor) {}
+    : factor_(factor), rounding_(1e-13 * squares[0]) {
+  const Eigen::VectorXd weights = factor * shape.cwiseAbs2();
+  std::vector<Eigen::Index> changed;
+  for (Eigen::Index k = 0; k < squares.size(); ++k)
+    if (weights[k] > rounding_)
+      changed.push_back(k);
+    else
+      unchanged_.push_back({squares[k], 0});
+  squares_ = squares(changed);
+  weights_ = weights(changed);
+}
 
-double LeftOut::part_along(Eigen::Index k) const {
+std::vector<double> LeftOut::parts() const {
+  std::vector<Axis> axes = unchanged_;
+  for (Eigen::Index k = 0; k < squares_.size(); ++k) axes.push_back(axis_below(k));
+  std::ranges::stable_sort(axes, std::greater(), &Axis::square);
+  std::vector<double> parts;
+  for (const Axis& axis : axes) parts.push_back(axis.part);
+  return parts;
+}
+
+LeftOut::Axis LeftOut::axis_below(Eigen::Index k) const {
   const bool is_last = k + 1 == squares_.size();
   const double high = squares_[k], low = is_last ? 0 : squares_[k + 1];
-  // An axis that is the same with the shape and without has nothing of it.
-  const double rounding = kTakenForRounding * squares_[0];
-  if (high - low <= rounding || weights_[k] <= rounding) return 0;
-  // Nor has one along which the others do not vary.
+  if (high - low <= rounding_) return {low, 0};
+  // The others may not vary along the last one.
   constexpr double kNoVariance = 1e-9;
-  if (is_last && secular(0, 0) <= kNoVariance) return 0;
+  if (is_last && secular(0, 0) <= kNoVariance) return {0, 0};
   const double half = (high - low) / 2;
   const bool is_near_high = secular(high, -half) > 0;
   const Interval interval = is_near_high ? Interval{k, high, -half, 0} : Interval{k, low, 0, half};
   const double offset = zero(interval);
   const double sum = (weights_ / ((squares_.array() - interval.end) - offset).square()).sum();
-  return sum > 0 && std::isfinite(sum) ? 1 / (factor_ * sum) : 0;
+  return {interval.end + offset, sum > 0 && std::isfinite(sum) ? 1 / (factor_ * sum) : 0};
 }
 
 /// Falls from each of `squares` to the next above it.
