@@ -2,34 +2,46 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #include "group/left_out.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace isomatch {
-namespace {
-
-/// Shares of the largest sum of squares that are taken for rounding.
-constexpr double kRounding = 1e-13;
-
-}  // namespace
-
 LeftOut::LeftOut(const Eigen::VectorXd& squares, const Eigen::VectorXd& shape, double factor)
-    : squares_(squares), weights_(factor * shape.array().square()), factor_(factor) {}
+    : factor_(factor), rounding_(1e-13 * squares[0]) {
+  const Eigen::VectorXd weights = factor * shape.cwiseAbs2();
+  std::vector<Eigen::Index> changed;
+  for (Eigen::Index k = 0; k < squares.size(); ++k)
+    if (weights[k] > rounding_)
+      changed.push_back(k);
+    else
+      unchanged_.push_back({squares[k], 0});
+  squares_ = squares(changed);
+  weights_ = weights(changed);
+}
 
-double LeftOut::part_along(Eigen::Index k) const {
+std::vector<double> LeftOut::parts() const {
+  std::vector<Axis> axes = unchanged_;
+  for (Eigen::Index k = 0; k < squares_.size(); ++k) axes.push_back(axis_below(k));
+  std::ranges::stable_sort(axes, std::greater(), &Axis::square);
+  std::vector<double> parts;
+  for (const Axis& axis : axes) parts.push_back(axis.part);
+  return parts;
+}
+
+LeftOut::Axis LeftOut::axis_below(Eigen::Index k) const {
   const bool is_last = k + 1 == squares_.size();
   const double high = squares_[k], low = is_last ? 0 : squares_[k + 1];
-  // An axis that is the same with the shape and without has nothing of it.
-  const double rounding = kRounding * squares_[0];
-  if (high - low <= rounding || weights_[k] <= rounding) return 0;
-  // Nor has one along which the others do not vary.
+  if (high - low <= rounding_) return {low, 0};
+  // The others may not vary along the last one.
   constexpr double kNoVariance = 1e-9;
-  if (is_last && secular(0, 0) <= kNoVariance) return 0;
+  if (is_last && secular(0, 0) <= kNoVariance) return {0, 0};
   const double half = (high - low) / 2;
   const bool is_near_high = secular(high, -half) > 0;
   const Interval interval = is_near_high ? Interval{k, high, -half, 0} : Interval{k, low, 0, half};
   const double offset = zero(interval);
   const double sum = (weights_ / ((squares_.array() - interval.end) - offset).square()).sum();
-  return sum > 0 && std::isfinite(sum) ? 1 / (factor_ * sum) : 0;
+  return {interval.end + offset, sum > 0 && std::isfinite(sum) ? 1 / (factor_ * sum) : 0};
 }
 
 /// Falls from each of `squares` to the next above it.
@@ -43,7 +55,6 @@ double LeftOut::zero(Interval interval) const {
   constexpr double kExact = 1e-9;
   double offset = (interval.low + interval.high) / 2;
   for (int step = 0; step < kMostSteps; ++step) {
-    (secular(interval.end, offset) > 0 ? interval.low : interval.high) = offset;
     double next = next_guess(interval, offset);
     if (!(next > interval.low && next < interval.high)) next = (interval.low + interval.high) / 2;
     const double change = std::abs(next - offset);
@@ -55,7 +66,7 @@ double LeftOut::zero(Interval interval) const {
 
 /// The zero of the rational function that has a pole at each end, and of which either half has
 /// value and slope as here (Bunch, Nielsen and Sorensen 1978).
-double LeftOut::next_guess(const Interval& interval, double offset) const {
+double LeftOut::next_guess(Interval& interval, double offset) const {
   const Eigen::Index above = interval.k + 1, below = squares_.size() - above;
   const Eigen::ArrayXd distances = (squares_.array() - interval.end) - offset;
   const Eigen::ArrayXd terms = weights_ / distances;
@@ -63,13 +74,15 @@ double LeftOut::next_guess(const Interval& interval, double offset) const {
   const double to_high = distances[above - 1];
   const double high_slope = slopes.head(above).sum();
   const double high_weight = high_slope * to_high * to_high;
-  double rest = 1 - terms.head(above).sum() + high_slope * to_high;
+  const double high_sum = terms.head(above).sum(), low_sum = terms.tail(below).sum();
+  (1 - high_sum - low_sum > 0 ? interval.low : interval.high) = offset;
+  double rest = 1 - high_sum + high_slope * to_high;
   const double high = squares_[above - 1] - interval.end;
   if (below == 0) return high - high_weight / rest;
   const double to_low = distances[above];
   const double low_slope = slopes.tail(below).sum();
   const double low_weight = low_slope * to_low * to_low;
-  rest += low_slope * to_low - terms.tail(below).sum();
+  rest += low_slope * to_low - low_sum;
   const double low = squares_[above] - interval.end;
   // rest (high - x) (low - x) = high_weight (low - x) + low_weight (high - x)
   const double linear = rest * (high + low) - high_weight - low_weight;

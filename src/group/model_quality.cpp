@@ -27,6 +27,7 @@ std::vector<double> compactness_of(const PrincipalAxes& axes, Eigen::Index count
 std::vector<double> generalisation_of(const PrincipalAxes& axes, Eigen::Index count,
                                       double num_points) {
   const Eigen::Index num_shapes = axes.scores.rows();
+  if (count == 0) return {};
   if (num_shapes < 3) return std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
   std::vector<double> means(count, 0.0);
   const auto others = static_cast<double>(num_shapes - 1);
@@ -35,10 +36,10 @@ std::vector<double> generalisation_of(const PrincipalAxes& axes, Eigen::Index co
   const Eigen::VectorXd squares = others * axes.variances;
   for (Eigen::Index i = 0; i < num_shapes; ++i) {
     const Eigen::VectorXd scores = axes.scores.row(i).transpose();
-    const LeftOut left_out(squares, scores, factor);
+    const std::vector<double> parts = LeftOut(squares, scores, factor).parts();
     double rest = scores.squaredNorm();
     for (Eigen::Index k = 0; k < count; ++k) {
-      rest = std::max(0.0, rest - left_out.part_along(k));
+      rest = std::max(0.0, rest - parts[k]);
       means[k] += factor * std::sqrt(rest / num_points) / static_cast<double>(num_shapes);
     }
   }

@@ -76,7 +76,7 @@ void fix_signs(Eigen::MatrixXd& directions, Eigen::MatrixXd& scores) {
   }
 }
 
-std::vector<Point> points_of(const Eigen::RowVectorXd& coordinates) {
+std::vector<Point> listed_points(const Eigen::RowVectorXd& coordinates) {
   std::vector<Point> points;
   points.reserve(coordinates.size() / 3);
   for (Eigen::Index k = 0; k < coordinates.size(); k += 3)
@@ -96,7 +96,7 @@ ShapeModel shape_model(const CorrespondingPoints& shapes, const ShapeModelOption
   const Eigen::Index all = axes.variances.size();
   const Eigen::Index count = options.modes < 0 ? all : std::min<Eigen::Index>(options.modes, all);
   ShapeModel model;
-  model.mean = points_of(mean);
+  model.mean = listed_points(mean);
   model.aligned = aligned.rows;
   model.alignments = std::move(aligned.alignments);
   model.modes = axis_directions(deviations, axes, count);
