@@ -197,8 +197,9 @@ void add_batch(CLI::App& app, Request& request) {
                   "Folder with ground truth, NAME.vts for each shape NAME; measures each map that "
                   "is made now against it, for pairs.csv")
       ->type_name("FOLDER");
-  add_tracked_options(command, "Options of every match", batch->options.matching,
-                      batch->options.target_to_source);
+  constexpr const char* kEveryMatch = "Options of every match";
+  add_tracked_options(command, kEveryMatch, batch->options.matching);
+  add_map_options(command, kEveryMatch, batch->options.matching, batch->options.target_to_source);
   add_run_options(command, request);
   set_example(command,
               "isomatch batch --all scans -o matched\n"

@@ -20,5 +20,6 @@ void add_report(CLI::App& app, Request& request);
 void add_transfer(CLI::App& app, Request& request);
 void add_convert(CLI::App& app, Request& request);
 void add_batch(CLI::App& app, Request& request);
+void add_group(CLI::App& app, Request& request);
 
 }  // namespace isomatch::cli

@@ -20,6 +20,7 @@ void describe_program(CLI::App& app, Request& request) {
   app.formatter(std::make_shared<HelpFormat>());
   add_match(app, request);
   add_batch(app, request);
+  add_group(app, request);
   add_eval(app, request);
   add_info(app, request);
   add_synth(app, request);

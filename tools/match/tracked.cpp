@@ -86,7 +86,8 @@ std::optional<results::ShownMatch> run_tracked(const MatchArguments& arguments,
 
 Method add_tracked_method(CLI::App& command, const std::string& group) {
   const auto tracked = std::make_shared<TrackedArguments>();
-  add_tracked_options(command, group, tracked->options, tracked->target_to_source);
+  add_tracked_options(command, group, tracked->options);
+  add_map_options(command, group, tracked->options, tracked->target_to_source);
   command
       .add_option(
           "--landmarks", tracked->landmarks,

@@ -4,8 +4,7 @@
 
 namespace isomatch::cli {
 
-void add_tracked_options(CLI::App& command, const std::string& group, TrackedOptions& options,
-                         bool& target_to_source) {
+void add_tracked_options(CLI::App& command, const std::string& group, TrackedOptions& options) {
   command
       .add_flag("--whole", options.whole,
                 "Nothing of the shapes is missing, whatever their boundaries: match everything")
@@ -32,6 +31,10 @@ void add_tracked_options(CLI::App& command, const std::string& group, TrackedOpt
   command
       .add_flag("!--no-refinement", options.refinement, "Stop after a first, coarse registration")
       ->group(group);
+}
+
+void add_map_options(CLI::App& command, const std::string& group, TrackedOptions& options,
+                     bool& target_to_source) {
   command.add_option("--alternatives", options.alternatives, "Maps to write besides the best one")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber)

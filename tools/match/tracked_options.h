@@ -11,7 +11,10 @@ namespace isomatch::cli {
 
 /// Adds the options of the tracked method that do not depend on the shapes, in the option group
 /// `group`.
-void add_tracked_options(CLI::App& command, const std::string& group, TrackedOptions& options,
-                         bool& target_to_source);
+void add_tracked_options(CLI::App& command, const std::string& group, TrackedOptions& options);
+
+/// Adds what else of a pair's maps is to be written.
+void add_map_options(CLI::App& command, const std::string& group, TrackedOptions& options,
+                     bool& target_to_source);
 
 }  // namespace isomatch::cli

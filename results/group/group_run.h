@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isomatch/group/group.h"
+#include "results/folder/result_folder.h"
+#include "results/group/collection.h"
+#include "results/group/group_output.h"
+#include "results/json.h"
+
+namespace isomatch::results {
+
+/// A collection that was matched.
+struct GroupRun {
+  /// The command line and the folder in which it was run.
+  std::vector<std::string> words;
+  std::string working_folder;
+  Json options;
+  Collection collection;
+  GroupResult result;
+
+  const Mesh& template_mesh() const { return collection.shapes[result.template_shape].mesh(); }
+};
+
+/// Of the pairs of each shape, the mean of their cycle errors.
+std::vector<double> cycle_errors(const GroupRun& run);
+
+/// The points of all shapes that are these vertices of the template, on their surfaces.
+CorrespondingPoints points_of(const GroupRun& run, const std::vector<int>& template_vertices);
+
+/// `count` vertices of the template, evenly spread over it; all if it is zero, or as many as there
+/// are. Throws `Cancelled`.
+std::vector<int> spread_vertices(const GroupRun& run, int count, const Context& context);
+
+/// The names of what `write_group_run` may write, but for report.json.
+std::vector<std::string> group_run_files(const std::vector<std::string>& names);
+
+/// Writes what `write_group` does and, in the numbers of the files,
+/// - maps/NAME.from_template.bary.txt: for each vertex of the template a face of the shape and the
+///   weights of its corners; and maps/NAME.to_template.bary.txt, the other way round;
+/// - pairs.csv: the pairs that were matched, their cost, their cycle error and what became of them;
+/// - report.json, which is returned: options, shapes with their fits, those that were left out,
+///   times.
+/// Throws `BadFile`, `InvalidInput`.
+Json write_group_run(const ResultPlan& plan, const GroupRun& run, const GroupOutput& output);
+
+}  // namespace isomatch::results

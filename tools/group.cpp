@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The isomatch authors
+#include "isomatch/group/group.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "isomatch/error.h"
+#include "isomatch/group/shape_model.h"
+#include "isomatch/io/atomic_file.h"
+#include "match/tracked_options.h"
+#include "program/partly_failed.h"
+#include "program/say.h"
+#include "results/folder/report.h"
+#include "results/group/collection.h"
+#include "results/group/group_run.h"
+#include "results/option_names.h"
+#include "results/page/group_page.h"
+#include "results/page/page.h"
+
+namespace isomatch::cli {
+namespace {
+
+constexpr const char* kGroupPage = "group.html";
+
+struct GroupCommand {
+  std::vector<std::string> places, words;
+  std::string folder, template_name;
+  GroupOptions options;
+  ShapeModelOptions model;
+  int points = 0;
+  double memory_gib = 2;
+  bool report = false, quiet = false;
+};
+
+/// `context` for a part of the work.
+Context part(const Context& context, double begin, double end) {
+  Context result = context;
+  if (context.progress)
+    result.progress = [&context, begin, end](double fraction, std::string_view stage) {
+      context.progress(begin + (end - begin) * fraction, stage);
+    };
+  return result;
+}
+
+int template_of(const std::string& name, const results::Collection& collection) {
+  if (name.empty()) return -1;
+  for (const auto* known : {&collection.names, &collection.paths}) {
+    const auto found = std::ranges::find(*known, name);
+    if (found != known->end()) return static_cast<int>(found - known->begin());
+  }
+  throw InvalidInput(fmt::format("--template: {} is none of the shapes", name));
+}
+
+results::Json options_of(const GroupCommand& group) {
+  results::Json json = results::options_json("group");
+  results::add_options(json, group.options.matching);
+  results::set_path(json, "template", group.template_name);
+  json["neighbours"] = group.options.neighbours;
+  json["points"] = group.points;
+  json["modes"] = group.model.modes;
+  json["keep-size"] = group.model.keep_size;
+  return json;
+}
+
+results::Collection collected(const GroupCommand& group, const std::vector<std::string>& files,
+                              const Context& context) {
+  results::Collection collection = results::read_collection(
+      files,
+      [&](const std::string& path, std::string_view warning) {
+        if (!group.quiet) say("{}: {}", path, warning);
+      },
+      context);
+  for (const results::LeftOut& one : collection.left_out) say("left out: {}", one.reason);
+  if (collection.shapes.size() < 2)
+    throw InvalidInput(fmt::format("a group needs two shapes at least; {} of {} can be used",
+                                   collection.shapes.size(), files.size()));
+  return collection;
+}
+
+/// The template's faces and the points of all shapes at `vertices`, with their statistics.
+results::GroupOutput output_of(const results::GroupRun& run, std::vector<int> vertices,
+                               const ShapeModelOptions& options) {
+  results::GroupOutput output;
+  output.names = run.collection.names;
+  output.points = results::points_of(run, vertices);
+  output.faces = results::faces_between(run.template_mesh(), vertices);
+  output.template_vertices = std::move(vertices);
+  output.model = shape_model(output.points, options);
+  output.quality = model_quality(output.model);
+  results::ShapeColumn fit{"fit", {}}, cycle{"cycle_error", {}};
+  const std::vector<double> errors = results::cycle_errors(run);
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    fit.values.emplace_back(to_string(run.result.members[k].fit.grade));
+    cycle.values.push_back(fmt::format("{:.6g}", errors[k]));
+  }
+  output.columns = {std::move(fit), std::move(cycle)};
+  return output;
+}
+
+void write_page(const std::string& path, const results::GroupRun& run,
+                const results::GroupOutput& output) {
+  results::GroupPageData page;
+  page.title = fmt::format("{} shapes", run.collection.names.size());
+  page.command = run.words;
+  for (const int v : output.template_vertices)
+    page.template_mesh.vertices.push_back(run.template_mesh().vertices[v]);
+  page.template_mesh.faces = output.faces;
+  page.template_shape = run.result.template_shape;
+  const std::vector<double> errors = results::cycle_errors(run);
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const GroupMember& member = run.result.members[k];
+    std::vector<float> spread;
+    for (const int v : output.template_vertices) spread.push_back(member.spread[v]);
+    page.members.push_back({run.collection.names[k], member.fit.grade, member.fit.reasons,
+                            errors[k], output.points.points[k], output.points.present[k],
+                            std::move(spread)});
+  }
+  page.pairs = run.result.pairs;
+  page.model = results::GroupPageModel{output.model, output.quality};
+  AtomicFile file(path);
+  file.write(results::group_page(page));
+  file.commit();
+}
+
+void tell(const results::GroupRun& run, const std::string& folder) {
+  const auto graded = [&](FitGrade grade) {
+    return std::ranges::count(run.result.members, grade,
+                              [](const GroupMember& member) { return member.fit.grade; });
+  };
+  const auto replaced = std::ranges::count_if(
+      run.result.pairs, [](const GroupPair& pair) { return pair.use != PairUse::kAgrees; });
+  say("{} shapes, template {}: {} good, {} doubtful, {} poor", run.collection.names.size(),
+      run.collection.names[run.result.template_shape], graded(FitGrade::kGood),
+      graded(FitGrade::kDoubtful), graded(FitGrade::kPoor));
+  say("{} pairs matched, of which {} disagree with the others", run.result.pairs.size(), replaced);
+  say("written to {}", folder);
+}
+
+void run_group(const GroupCommand& group, const Context& context) {
+  constexpr double kRead = 0.02, kMatched = 0.93, kGiB = 1 << 30;
+  const std::vector<std::string> files = results::collected_files(group.places);
+  std::vector<std::string> names;
+  for (const std::string& file : files)
+    names.push_back(std::filesystem::path(file).stem().string());
+  results::ResultPlan plan{group.folder, results::group_run_files(names),
+                           results::InputFiles(files)};
+  plan.files.emplace_back(kGroupPage);
+  results::check_plan(plan);
+  if (group.report) results::check_page_available();
+  context.report(0, "reading");
+  results::GroupRun run{group.words,
+                        std::filesystem::current_path().string(),
+                        options_of(group),
+                        collected(group, files, context),
+                        {}};
+  GroupOptions options = group.options;
+  options.template_shape = template_of(group.template_name, run.collection);
+  options.memory = static_cast<std::uint64_t>(group.memory_gib * kGiB);
+  run.result = match_group(run.collection.shapes, options, part(context, kRead, kMatched));
+  context.report(kMatched, "model");
+  const results::GroupOutput output =
+      output_of(run, results::spread_vertices(run, group.points, context), group.model);
+  results::write_group_run(plan, run, output);
+  if (group.report) {
+    const std::string page = (std::filesystem::path(group.folder) / kGroupPage).string();
+    if (group.points == 0)
+      write_page(page, run, output);
+    else
+      write_page(page, run, output_of(run, results::spread_vertices(run, 0, context), group.model));
+  }
+  if (!group.quiet) tell(run, group.folder);
+  if (const std::size_t left_out = run.collection.left_out.size(); left_out > 0)
+    throw PartlyFailed(fmt::format("{} of {} shapes were left out", left_out, files.size()));
+}
+
+void add_output_options(CLI::App& command, GroupCommand& group) {
+  command
+      .add_option("-o,--output", group.folder,
+                  "Folder for the results: points, meshes, maps, mean and modes")
+      ->type_name("DIR")
+      ->required();
+  command
+      .add_option("--points", group.points,
+                  "Evenly spread points on each shape; 0 for all vertices of the template")
+      ->type_name("P")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--modes", group.model.modes, "Principal modes at most; -1 for all")
+      ->type_name("K")
+      ->capture_default_str();
+  command.add_flag("--keep-size", group.model.keep_size,
+                   "Size is a part of shape: align by moving and turning only");
+  command.add_flag("--report", group.report,
+                   "Write group.html as well, a page that shows the collection");
+}
+
+}  // namespace
+
+void add_group(CLI::App& app, Request& request) {
+  const auto group = std::make_shared<GroupCommand>();
+  CLI::App& command =
+      *app.add_subcommand("group", "Match a collection of shapes: the same points on all of them");
+  command.add_option("SHAPES", group->places, "Meshes, and folders of meshes")->required();
+  add_output_options(command, *group);
+  command
+      .add_option("--template", group->template_name,
+                  "Name of the shape whose vertices are followed; else the one that is nearest to "
+                  "all others")
+      ->type_name("NAME");
+  command
+      .add_option(
+          "--neighbours", group->options.neighbours,
+          "Shapes most like it that each shape is matched with besides the template; -1 for "
+          "1.5 log2 of their number")
+      ->type_name("K")
+      ->capture_default_str();
+  constexpr double kMostGiB = 1e6;
+  command
+      .add_option("--memory", group->memory_gib,
+                  "For what matching keeps of shapes for other pairs, in GiB")
+      ->type_name("GIB")
+      ->check(CLI::Range(0.0, kMostGiB))
+      ->capture_default_str();
+  add_tracked_options(command, "Options of every match", group->options.matching);
+  add_run_options(command, request);
+  set_example(command,
+              "isomatch group skulls -o model --report\n"
+              "  isomatch group skulls -o model --points 500 --template skull_07",
+              "group.md");
+  command.callback([group, &request] {
+    group->words = request.words;
+    group->quiet = request.quiet;
+    request.action = [group](const Context& context) { run_group(*group, context); };
+  });
+}
+
+}  // namespace isomatch::cli
