@@ -30,7 +30,7 @@ constexpr int kBadInput = 2, kPartlyFailed = 3, kInterrupted = 130;
 
 /// Vertices are .035 apart, and the truth is the nearest vertex: that alone is .01. Measured were
 /// .011 to .013 on whole shapes.
-constexpr double kNear = 0.02;
+constexpr double kNear = 0.02, kNearOnParts = 0.03;
 
 TEST_F(Group, FindsTheSamePointsOnAllShapes) {
   ASSERT_EQ(whole_->exit_code, kPartlyFailed) << whole_->errors;
@@ -39,7 +39,9 @@ TEST_F(Group, FindsTheSamePointsOnAllShapes) {
     const SynthShape target = creature(name);
     const SurfaceMap map = read_map(whole(from_template(name))).points;
     ASSERT_EQ(std::ssize(map), source.mesh.num_vertices());
-    EXPECT_LT(mean_error(source, target, map), kNear) << name;
+    const double error = mean_error(source, target, map);
+    RecordProperty(name, std::to_string(error));
+    EXPECT_LT(error, name == std::string("part") ? kNearOnParts : kNear) << name;
   }
 }
 
