@@ -43,7 +43,7 @@ struct GroupCommand {
   ShapeModelOptions model;
   int points = 0;
   double memory_gib = 2;
-  bool report = false, quiet = false;
+  bool all_maps = false, report = false, quiet = false;
 };
 
 /// `context` for a part of the work.
@@ -174,7 +174,7 @@ void run_group(const GroupCommand& group, const Context& context) {
   const results::ParentFolders parents(group.folder);
   std::vector<std::string> names;
   for (const std::string& file : files) names.push_back(results::shape_name(file));
-  results::ResultPlan plan{group.folder, results::group_run_files(names),
+  results::ResultPlan plan{group.folder, results::group_run_files(names, group.all_maps),
                            results::InputFiles(files)};
   plan.files.emplace_back(kGroupPage);
   results::check_plan(plan);
@@ -187,6 +187,7 @@ void run_group(const GroupCommand& group, const Context& context) {
   GroupOptions options = group.options;
   options.template_shape = place_of(template_path, run.collection);
   options.memory = bytes_of_gib(group.memory_gib);
+  run.all_maps = group.all_maps;
   run.result = match_group(run.collection.shapes, options, part(context, kRead, kMatched));
   const std::size_t unread = run.collection.left_out.size();
   results::leave_out_unmatched(run);
@@ -236,6 +237,7 @@ void add_output_options(CLI::App& command, GroupCommand& group) {
       ->capture_default_str();
   command.add_flag("--keep-size", group.model.keep_size,
                    "Size is a part of shape: align by moving and turning only");
+  command.add_flag("--all-maps", group.all_maps, "Write the maps between all shapes as well");
   command.add_flag("--report", group.report,
                    "Write group.html as well, a page that shows the collection");
 }

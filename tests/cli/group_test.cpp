@@ -198,7 +198,7 @@ TEST_F(Group, RefusesWhatItCannotDoBeforeAnyWork) {
       {{"--template", "x"}, "--template: x is none of the shapes"},
       {{shape("a")}, "two shapes have the name 'a'"},
       {{path("missing")}, "missing: is not there"},
-      {{path("")}, "none of its files is a mesh"},
+      {{path(".")}, "none of its files is a mesh"},
   };
   for (const Case& one : cases) {
     std::vector<std::string> words = two;
@@ -210,6 +210,11 @@ TEST_F(Group, RefusesWhatItCannotDoBeforeAnyWork) {
     EXPECT_THAT(outcome.errors, HasSubstr(one.error));
     EXPECT_FALSE(fs::exists(path("far"))) << one.error;
   }
+  for (const char* name : {"a__b", "b__a"}) fs::copy(shape("b"), path(std::string(name) + ".off"));
+  const Outcome maps =
+      group("out", {shape("a"), path("a__b.off"), path("b__a.off")}, {"--all-maps"});
+  EXPECT_EQ(maps.exit_code, kBadInput);
+  EXPECT_THAT(maps.errors, HasSubstr("two maps would have the name maps/a__b__a.bary.txt"));
   const Outcome file = group("out.off", two);
   EXPECT_EQ(file.exit_code, kBadInput);
   EXPECT_THAT(file.errors, HasSubstr("is named like a file"));
