@@ -182,6 +182,7 @@ class Group {
     TrackedMap map = tracked::settled(source, target, places_[shape], options_.matching, context);
     FitOptions fit;
     fit.parts = !options_.matching.whole && (is_part(template_) || is_part(shape));
+    fit.mirrored = pairs_.is_mirrored(template_, shape);
     GroupMember member;
     member.fit = judge_fit(source, target, map.source_to_target, fit, context);
     member.from_template = std::move(map.source_to_target);

@@ -34,7 +34,8 @@ MatchedPair match_pair(const Shape& source, const Shape& target, std::pair<int, 
   try {
     for (const TrackedMap& map : match_tracked(source, target, options, context).maps)
       result.maps.push_back({*on_surfaces(from, onto, map.source_to_target),
-                             *on_surfaces(onto, from, map.target_to_source), map.cost()});
+                             *on_surfaces(onto, from, map.target_to_source), map.cost(),
+                             map.mirrored});
   } catch (const InvalidInput&) {
     result.use = PairUse::kComposed;
     result.cycle_error = std::numeric_limits<double>::quiet_NaN();
@@ -73,6 +74,13 @@ MapGraph Pairs::graph() const {
     maps.push_back({pair.target, pair.source, &pair.map().backward, weight});
   }
   return {surfaces_, maps};
+}
+
+bool Pairs::is_mirrored(int shape, int other) const {
+  return std::ranges::any_of(pairs_, [&](const MatchedPair& pair) {
+    return std::minmax(pair.source, pair.target) == std::minmax(shape, other) && pair.counts() &&
+           pair.map().mirrored;
+  });
 }
 
 double Pairs::median_cost(int shape) const {

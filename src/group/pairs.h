@@ -19,8 +19,9 @@ namespace isomatch::group {
 /// Both directions of a pair's map, in the numbers of the surfaces.
 struct PairMaps {
   SurfaceMap forward, backward;
-  /// See `TrackedMap::cost`.
+  /// See `TrackedMap`.
   double cost = 0;
+  bool mirrored = false;
 };
 
 /// A pair that was matched, with the one of its maps that is used.
@@ -58,6 +59,8 @@ class Pairs {
   /// give way to a runner-up that does, or else do not count any more. Whether there were such.
   bool weed_out(const std::vector<Places>& places, std::string_view stage, const Context& context);
 
+  /// Whether the map of a pair that counts leads from a mirror image.
+  bool is_mirrored(int shape, int other) const;
   /// Whether the median cost of a shape's pairs is far below that of another one's.
   bool fits_far_better(int shape, int other) const;
 

@@ -16,6 +16,7 @@
 #include "program.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
+#include "support/transforms.h"
 
 namespace isomatch::test {
 namespace {
@@ -160,6 +161,14 @@ TEST_F(Group, OneOddShapeDoesNotSpoilTheOthers) {
   EXPECT_THAT(outcome.output, HasSubstr("a_tetrahedron.off: none of its maps agrees"));
   EXPECT_FALSE(fs::exists(path("out/meshes/a_tetrahedron.ply")));
   EXPECT_EQ(report("out")["left_out"].size(), 1);
+}
+
+/// Its fit was called poor, as it turns the surface over.
+TEST_F(Group, AMirrorImageIsAGoodFitIfReflectionsAreAllowed) {
+  write_mesh(path("mirror.off"), mirrored(creature("a").mesh));
+  const Outcome outcome = group("out", {shape("a"), path("mirror.off")}, {"--allow-reflection"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("2 good, 0 doubtful, 0 poor"));
 }
 
 /// They were called good, with points that no map had led to.
