@@ -29,9 +29,9 @@ using testing::StartsWith;
 
 constexpr int kBadInput = 2, kPartlyFailed = 3, kInterrupted = 130;
 
-/// Vertices are .035 apart, and the truth is the nearest vertex: that alone is .01. Measured were
-/// .011 to .013 on whole shapes.
-constexpr double kNear = 0.02, kNearOnParts = 0.03;
+/// Vertices are .034 apart, and the truth is the nearest vertex. Measured were .0174 to .0179, and
+/// .0202 on the part, of which 99.8 % of what was cut off is missing, and 2.3 % of the rest.
+constexpr double kNear = 0.022, kNearOnParts = 0.025;
 
 TEST_F(Group, FindsTheSamePointsOnAllShapes) {
   ASSERT_EQ(whole_->exit_code, kPartlyFailed) << whole_->errors;
@@ -40,9 +40,8 @@ TEST_F(Group, FindsTheSamePointsOnAllShapes) {
     const SynthShape target = creature(name);
     const SurfaceMap map = read_map(whole(from_template(name))).points;
     ASSERT_EQ(std::ssize(map), source.mesh.num_vertices());
-    const double error = mean_error(source, target, map);
-    RecordProperty(name, std::to_string(error));
-    EXPECT_LT(error, name == std::string("part") ? kNearOnParts : kNear) << name;
+    EXPECT_LT(mean_error(source, target, map), name == std::string("part") ? kNearOnParts : kNear)
+        << name;
   }
 }
 
@@ -77,7 +76,7 @@ TEST_F(Group, PartsLackThePointsThatWereCutOff) {
     (part[t] < 0 ? cut : kept) += 1;
     if (is_missing) (part[t] < 0 ? cut_missing : kept_missing) += 1;
   }
-  EXPECT_GT(cut_missing, 0.85 * cut);
+  EXPECT_GT(cut_missing, 0.95 * cut);
   EXPECT_LT(kept_missing, 0.05 * kept);
   const Mesh mesh = read_mesh(whole(mesh_file("part")));
   EXPECT_LT(mesh.num_faces(), creature("a").mesh.num_faces());
