@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass
 from typing import Optional
 
@@ -97,4 +98,4 @@ def _at_most(modes):
         return -1
     if modes < 0:
         raise ValueError("modes: expected 0 or more")
-    return modes
+    return operator.index(modes)
