@@ -43,7 +43,7 @@ def coarse(three_files):
 @pytest.fixture(scope="module")
 def with_a_part(creatures):
     shapes = creatures[:2] + [isomatch.synthesize(vertices=1000, pose=4, seed=2, cut=0.3)]
-    return shapes, isomatch.group(shapes, template=0)
+    return shapes, isomatch.group(shapes, template=0, refinement=False)
 
 
 def root_area(shape):
