@@ -34,7 +34,7 @@ struct GroupCommand {
   ShapeModelOptions model;
   int points = 0;
   double memory_gib = 2;
-  bool report = false, quiet = false;
+  bool all_maps = false, report = false, quiet = false;
 };
 
 /// `context` for a part of the work.
@@ -91,7 +91,7 @@ void run_group(const GroupCommand& group, const Context& context) {
   std::vector<std::string> names;
   for (const std::string& file : files)
     names.push_back(std::filesystem::path(file).stem().string());
-  results::ResultPlan plan{group.folder, results::group_run_files(names),
+  results::ResultPlan plan{group.folder, results::group_run_files(names, group.all_maps),
                            results::InputFiles(files)};
   plan.files.emplace_back(results::kGroupPage);
   results::check_plan(plan);
@@ -106,6 +106,7 @@ void run_group(const GroupCommand& group, const Context& context) {
   GroupOptions options = group.options;
   options.template_shape = template_of(group.template_name, run.collection);
   options.memory = static_cast<std::uint64_t>(group.memory_gib * kGiB);
+  run.all_maps = group.all_maps;
   run.result = match_group(run.collection.shapes, options, part(context, kRead, kMatched));
   context.report(kMatched, "model");
   const auto output_at = [&](int points) {
@@ -137,6 +138,7 @@ void add_output_options(CLI::App& command, GroupCommand& group) {
       ->capture_default_str();
   command.add_flag("--keep-size", group.model.keep_size,
                    "Size is a part of shape: align by moving and turning only");
+  command.add_flag("--all-maps", group.all_maps, "Write the maps between all shapes as well");
   command.add_flag("--report", group.report,
                    "Write group.html as well, a page that shows the collection");
 }

@@ -24,6 +24,18 @@ std::string map_name(const std::string& shape, const char* direction) {
   return "maps/" + shape + "." + direction + ".bary.txt";
 }
 
+std::string map_between(const std::string& source, const std::string& target) {
+  return "maps/" + source + "__" + target + ".bary.txt";
+}
+
+/// Calls `visit` with the places in the list of each two shapes.
+template <class Visit>
+void for_each_pair(std::size_t shapes, const Visit& visit) {
+  for (std::size_t source = 0; source < shapes; ++source)
+    for (std::size_t target = 0; target < shapes; ++target)
+      if (source != target) visit(source, target);
+}
+
 constexpr const char* kFromTemplate = "from_template";
 constexpr const char* kToTemplate = "to_template";
 constexpr const char* kPairTable = "pairs.csv";
@@ -123,11 +135,15 @@ std::vector<int> spread_vertices(const GroupRun& run, int count, const Context& 
   return spread;
 }
 
-std::vector<std::string> group_run_files(const std::vector<std::string>& names) {
+std::vector<std::string> group_run_files(const std::vector<std::string>& names, bool all_maps) {
   std::vector<std::string> files = group_files(names);
   for (const std::string& name : names)
     for (const char* direction : {kFromTemplate, kToTemplate})
       files.push_back(map_name(name, direction));
+  if (all_maps)
+    for_each_pair(names.size(), [&](std::size_t source, std::size_t target) {
+      files.push_back(map_between(names[source], names[target]));
+    });
   files.emplace_back(kPairTable);
   return files;
 }
@@ -141,6 +157,14 @@ Json write_group_run(const ResultPlan& plan, const GroupRun& run, const GroupOut
     isomatch::write_map(folder.add(map_name(name, kFromTemplate)), {{}, member.from_template});
     isomatch::write_map(folder.add(map_name(name, kToTemplate)), {{}, member.to_template});
   }
+  if (run.all_maps)
+    for_each_pair(run.collection.names.size(), [&](std::size_t source, std::size_t target) {
+      const std::vector<std::string>& names = run.collection.names;
+      isomatch::write_map(folder.add(map_between(names[source], names[target])),
+                          {{},
+                           member_map(run.collection.shapes, run.result, static_cast<int>(source),
+                                      static_cast<int>(target))});
+    });
   write_pairs(folder.add(kPairTable), run);
   return folder.write_report(report_of(run));
 }

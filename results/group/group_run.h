@@ -21,6 +21,8 @@ struct GroupRun {
   Json options;
   Collection collection;
   GroupResult result;
+  /// Whether the maps between all shapes are written too.
+  bool all_maps = false;
 
   const Mesh& template_mesh() const { return collection.shapes[result.template_shape].mesh(); }
 };
@@ -36,11 +38,12 @@ CorrespondingPoints points_of(const GroupRun& run, const std::vector<int>& templ
 std::vector<int> spread_vertices(const GroupRun& run, int count, const Context& context);
 
 /// The names of what `write_group_run` may write, but for report.json.
-std::vector<std::string> group_run_files(const std::vector<std::string>& names);
+std::vector<std::string> group_run_files(const std::vector<std::string>& names, bool all_maps);
 
 /// Writes what `write_group` does and, in the numbers of the files,
 /// - maps/NAME.from_template.bary.txt: for each vertex of the template a face of the shape and the
 ///   weights of its corners; and maps/NAME.to_template.bary.txt, the other way round;
+/// - if they are wanted, maps/A__B.bary.txt: the same from each shape to each other one;
 /// - pairs.csv: the pairs that were matched, their cost, their cycle error and what became of them;
 /// - report.json, which is returned: options, shapes with their fits, those that were left out,
 ///   times.
