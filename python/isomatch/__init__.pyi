@@ -76,6 +76,7 @@ class Group:
         folder: PathLike,
         *,
         modes: Optional[int] = None,
+        all_maps: bool = False,
         report: bool = False,
     ) -> None: ...
     def report(

@@ -173,13 +173,19 @@ class Group:
         return self.model().mean
 
     def save(
-        self, folder: PathLike, *, modes: Optional[int] = None, report: bool = False
+        self,
+        folder: PathLike,
+        *,
+        modes: Optional[int] = None,
+        all_maps: bool = False,
+        report: bool = False,
     ) -> None:
         """Writes what `isomatch group -o FOLDER` writes, byte for byte but for times: points, meshes,
         maps, mean and modes, of which there are `modes` at most; what isomatch wrote into the
         folder before is replaced. Meshes that were given as arrays are written into it as
-        shapes/NAME.ply. `report` adds group.html, a page that shows the collection. Raises OSError,
-        before anything is written also if a file would be replaced that isomatch did not write."""
+        shapes/NAME.ply. `all_maps` adds the maps between all shapes, `report` group.html, a page
+        that shows the collection. Raises OSError, before anything is written also if a file would
+        be replaced that isomatch did not write."""
         folder = os.fsencode(folder)
         arrays, paths = {}, []
         for name, shape in zip(_encoded(self.names), self.shapes):
@@ -189,7 +195,14 @@ class Group:
                 arrays[place] = shape
         inputs = [os.fsencode(shape.path) for shape in self.shapes if shape.path]
         saved = _core.SavedGroup(
-            folder, paths, inputs, list(arrays), self.keep_size, _at_most(modes), report
+            folder,
+            paths,
+            inputs,
+            list(arrays),
+            self.keep_size,
+            _at_most(modes),
+            all_maps,
+            report,
         )
         self._core.check_save(saved)
         for place, shape in arrays.items():

@@ -45,7 +45,7 @@ struct SavedGroup {
   /// seen from there, because it was given as arrays.
   std::vector<std::string> paths, inputs, arrays;
   ShapeModelOptions model;
-  bool page = false;
+  bool all_maps = false, page = false;
 };
 
 GroupMatch match(const GroupShapes& shapes, std::vector<std::string> names,
@@ -148,7 +148,8 @@ py::dict to_template(const GroupMatch& group, int shape) {
 }
 
 results::ResultPlan plan_of(const GroupMatch& group, const SavedGroup& saved) {
-  results::ResultPlan plan{saved.folder, results::group_run_files(group.run.collection.names),
+  results::ResultPlan plan{saved.folder,
+                           results::group_run_files(group.run.collection.names, saved.all_maps),
                            results::InputFiles(saved.inputs), saved.arrays};
   plan.files.insert(plan.files.end(), saved.arrays.begin(), saved.arrays.end());
   plan.files.emplace_back(results::kGroupPage);
@@ -169,6 +170,7 @@ std::vector<std::string> words_of(const GroupMatch& group, const SavedGroup& sav
   words.insert(words.end(), saved.paths.begin(), saved.paths.end());
   words.insert(words.end(), {"-o", saved.folder});
   add_flags(words, group.run.options, results::group_options_json({}, {}, 0, {}));
+  if (saved.all_maps) words.emplace_back("--all-maps");
   if (saved.page) words.emplace_back("--report");
   return words;
 }
@@ -178,6 +180,7 @@ void save(GroupMatch& group, const SavedGroup& saved, const RunOptions& how) {
   run.options["modes"] = saved.model.modes;
   run.options["keep-size"] = saved.model.keep_size;
   run.collection.paths = saved.paths;
+  run.all_maps = saved.all_maps;
   run.words = words_of(group, saved);
   run.working_folder = std::filesystem::current_path().string();
   run_work(how, [&](const Context& context) {
@@ -204,9 +207,14 @@ void bind_group(py::module_& module) {
   py::class_<SavedGroup>(module, "SavedGroup")
       .def(py::init([](std::string folder, std::vector<std::string> paths,
                        std::vector<std::string> inputs, std::vector<std::string> arrays,
-                       bool keep_size, int modes, bool page) {
-        return SavedGroup{std::move(folder), std::move(paths),   std::move(inputs),
-                          std::move(arrays), {keep_size, modes}, page};
+                       bool keep_size, int modes, bool all_maps, bool page) {
+        return SavedGroup{std::move(folder),
+                          std::move(paths),
+                          std::move(inputs),
+                          std::move(arrays),
+                          {keep_size, modes},
+                          all_maps,
+                          page};
       }));
   py::class_<GroupWanted>(module, "GroupWanted")
       .def(py::init([](std::string template_name, int template_shape, int neighbours, int points,

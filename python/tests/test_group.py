@@ -211,9 +211,9 @@ def test_a_group_is_kept_whole(group):
 def test_saves_what_the_program_writes(coarse, three_files, program, tmp_path):
     report = ["--report"] if _core.has_page() else []
     for _ in range(2):
-        coarse.save(tmp_path / "ours", report=bool(report))
+        coarse.save(tmp_path / "ours", all_maps=True, report=bool(report))
     program("group", *three_files, "-o", tmp_path / "theirs", "--template", "lying",
-            "--keep-size", "--points", 40, "--no-refinement", *report)
+            "--keep-size", "--points", 40, "--no-refinement", "--all-maps", *report)
     command = json.loads((tmp_path / "ours" / "report.json").read_text())["command"]
     place = command.index("-o") + 1
     program(*command[1:place], tmp_path / "again", *command[place + 1:])
