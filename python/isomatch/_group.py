@@ -25,7 +25,7 @@ from ._warnings import warn
 
 
 class GroupPair(NamedTuple):
-    """A pair of a group that was matched."""
+    """A pair of a group that was matched, and what became of it."""
 
     #: Indices of the shapes.
     source: int
