@@ -16,11 +16,15 @@
 #include "isomatch/error.h"
 #include "isomatch/group/shape_model.h"
 #include "match/tracked_options.h"
+#include "memory_option.h"
 #include "program/partly_failed.h"
 #include "program/say.h"
+#include "results/files/outputs.h"
+#include "results/files/parent_folders.h"
 #include "results/group/collection.h"
 #include "results/group/group_run.h"
 #include "results/group/run_output.h"
+#include "results/group/unmatched.h"
 #include "results/page/filled_page.h"
 #include "results/page/group_run_page.h"
 
@@ -47,13 +51,27 @@ Context part(const Context& context, double begin, double end) {
   return result;
 }
 
-int template_of(const std::string& name, const results::Collection& collection) {
-  if (name.empty()) return -1;
-  for (const auto* known : {&collection.names, &collection.paths}) {
-    const auto found = std::ranges::find(*known, name);
-    if (found != known->end()) return static_cast<int>(found - known->begin());
-  }
+/// The file of the shape of that name, or the file itself; empty if none is named.
+std::string template_file(const std::string& name, const std::vector<std::string>& files) {
+  if (name.empty()) return {};
+  const auto named = std::ranges::find(files, name, results::shape_name);
+  if (named != files.end()) return *named;
+  if (std::ranges::count(files, name) > 0) return name;
   throw InvalidInput(fmt::format("--template: {} is none of the shapes", name));
+}
+
+/// Where in the collection that file is; -1 if it has no name.
+int place_of(const std::string& file, const results::Collection& collection) {
+  if (file.empty()) return -1;
+  const auto found = std::ranges::find(collection.paths, file);
+  if (found == collection.paths.end()) throw BadFile(file, "is the template, but cannot be used");
+  return static_cast<int>(found - collection.paths.begin());
+}
+
+/// All but so many, which were told of.
+void tell_left_out(const results::Collection& collection, std::size_t told) {
+  for (std::size_t k = told; k < collection.left_out.size(); ++k)
+    say("left out: {}", collection.left_out[k].reason);
 }
 
 results::Collection collected(const GroupCommand& group, const std::vector<std::string>& files,
@@ -64,7 +82,7 @@ results::Collection collected(const GroupCommand& group, const std::vector<std::
         if (!group.quiet) say("{}: {}", path, warning);
       },
       context);
-  for (const results::LeftOut& one : collection.left_out) say("left out: {}", one.reason);
+  tell_left_out(collection, 0);
   if (collection.shapes.size() < 2)
     throw InvalidInput(fmt::format("a group needs two shapes at least; {} of {} can be used",
                                    collection.shapes.size(), files.size()));
@@ -81,21 +99,24 @@ void tell(const results::GroupRun& run, const std::string& folder) {
   say("{} shapes, template {}: {} good, {} doubtful, {} poor", run.collection.names.size(),
       run.collection.names[run.result.template_shape], graded(FitGrade::kGood),
       graded(FitGrade::kDoubtful), graded(FitGrade::kPoor));
-  say("{} pairs matched, of which {} disagree with the others", run.result.pairs.size(), replaced);
+  say("{} {} matched, of which {} disagree with the others", run.result.pairs.size(),
+      run.result.pairs.size() == 1 ? "pair" : "pairs", replaced);
   say("written to {}", folder);
 }
 
 void run_group(const GroupCommand& group, const Context& context) {
-  constexpr double kRead = 0.02, kMatched = 0.93, kGiB = 1 << 30;
+  constexpr double kRead = 0.02, kMatched = 0.93;
+  if (group.report) results::check_page_available();
+  results::check_folder_name(group.folder);
   const std::vector<std::string> files = results::collected_files(group.places);
+  const std::string template_path = template_file(group.template_name, files);
+  const results::ParentFolders parents(group.folder);
   std::vector<std::string> names;
-  for (const std::string& file : files)
-    names.push_back(std::filesystem::path(file).stem().string());
+  for (const std::string& file : files) names.push_back(results::shape_name(file));
   results::ResultPlan plan{group.folder, results::group_run_files(names, group.all_maps),
                            results::InputFiles(files)};
   plan.files.emplace_back(results::kGroupPage);
   results::check_plan(plan);
-  if (group.report) results::check_page_available();
   context.report(0, "reading");
   results::GroupRun run{
       group.words,
@@ -104,10 +125,13 @@ void run_group(const GroupCommand& group, const Context& context) {
       collected(group, files, context),
       {}};
   GroupOptions options = group.options;
-  options.template_shape = template_of(group.template_name, run.collection);
-  options.memory = static_cast<std::uint64_t>(group.memory_gib * kGiB);
+  options.template_shape = place_of(template_path, run.collection);
+  options.memory = bytes_of_gib(group.memory_gib);
   run.all_maps = group.all_maps;
   run.result = match_group(run.collection.shapes, options, part(context, kRead, kMatched));
+  const std::size_t unread = run.collection.left_out.size();
+  results::leave_out_unmatched(run);
+  tell_left_out(run.collection, unread);
   context.report(kMatched, "model");
   const auto output_at = [&](int points) {
     return results::group_output(run, results::spread_vertices(run, points, context), group.model);
@@ -121,6 +145,12 @@ void run_group(const GroupCommand& group, const Context& context) {
     throw PartlyFailed(fmt::format("{} of {} shapes were left out", left_out, files.size()));
 }
 
+std::string at_least_minus_one(const std::string& text) {
+  int value = 0;
+  const bool fits = CLI::detail::lexical_cast(text, value) && value >= -1;
+  return fits ? std::string() : "expected -1, 0 or more, not " + text;
+}
+
 void add_output_options(CLI::App& command, GroupCommand& group) {
   command
       .add_option("-o,--output", group.folder,
@@ -131,10 +161,15 @@ void add_output_options(CLI::App& command, GroupCommand& group) {
       .add_option("--points", group.points,
                   "Evenly spread points on each shape; 0 for all vertices of the template")
       ->type_name("P")
-      ->check(CLI::NonNegativeNumber)
+      ->check([](const std::string& text) {
+        int points = 0;
+        const bool fits = CLI::detail::lexical_cast(text, points) && (points == 0 || points >= 3);
+        return fits ? std::string() : "expected 0, or 3 and more, not " + text;
+      })
       ->capture_default_str();
   command.add_option("--modes", group.model.modes, "Principal modes at most; -1 for all")
       ->type_name("K")
+      ->check(at_least_minus_one)
       ->capture_default_str();
   command.add_flag("--keep-size", group.model.keep_size,
                    "Size is a part of shape: align by moving and turning only");
@@ -162,14 +197,10 @@ void add_group(CLI::App& app, Request& request) {
           "Shapes most like it that each shape is matched with besides the template; -1 for "
           "1.5 log2 of their number")
       ->type_name("K")
+      ->check(at_least_minus_one)
       ->capture_default_str();
-  constexpr double kMostGiB = 1e6;
-  command
-      .add_option("--memory", group->memory_gib,
-                  "For what matching keeps of shapes for other pairs, in GiB")
-      ->type_name("GIB")
-      ->check(CLI::Range(0.0, kMostGiB))
-      ->capture_default_str();
+  add_memory_option(command, group->memory_gib,
+                    "For what matching keeps of shapes for other pairs, in GiB");
   add_tracked_options(command, "Options of every match", group->options.matching);
   add_run_options(command, request);
   set_example(command,

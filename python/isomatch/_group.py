@@ -30,7 +30,8 @@ class GroupPair(NamedTuple):
     #: Indices of the shapes.
     source: int
     target: int
-    #: How badly they fit: the energy by which maps are ranked, at unit area.
+    #: How badly they fit: the energy by which maps are ranked, at unit area; NaN, as the next, if
+    #: they have too little in common.
     cost: float
     #: How far cycles through its own map are from closing: mean distance, over sqrt(area) of the
     #: target.
@@ -60,7 +61,7 @@ class Group:
     #: (N, P) booleans: whether it has one.
     present: np.ndarray
     #: (N, P, 3) the same without folds, off the surface by a little, and complete: what has no
-    #: counterpart moves as what is around it.
+    #: counterpart moves as what is around it. NaN of a shape that is not matched at all.
     registered_points: np.ndarray
     #: (N, P) how far apart the pairs of a shape say that a point lies: root mean square distance
     #: over sqrt(area) of the shape, NaN where it has no counterpart.
@@ -163,7 +164,8 @@ class Group:
         self, *, keep_size: Optional[bool] = None, modes: Optional[int] = None
     ) -> ShapeModel:
         """Mean, principal modes and scores of the shapes, see `shape_model`; `keep_size` as it was
-        given to `group`, if it is not given here."""
+        given to `group`, if it is not given here. Raises ValueError if a shape has too few
+        points."""
         keep_size = self.keep_size if keep_size is None else keep_size
         return shape_model(self.points, self.present, keep_size=keep_size, modes=modes)
 
@@ -181,8 +183,8 @@ class Group:
         report: bool = False,
     ) -> None:
         """Writes what `isomatch group -o FOLDER` writes, byte for byte but for times: points, meshes,
-        maps, mean and modes, of which there are `modes` at most; what isomatch wrote into the
-        folder before is replaced. Meshes that were given as arrays are written into it as
+        maps, mean and modes, of which there are `modes` at most, without shapes that none of the
+        others matches; what isomatch wrote into the folder before is replaced. Meshes that were given as arrays are written into it as
         shapes/NAME.ply. `all_maps` adds the maps between all shapes, `report` group.html, a page
         that shows the collection. Raises OSError, before anything is written also if a file would
         be replaced that isomatch did not write."""

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -18,6 +19,7 @@
 #include "options.h"
 #include "results/folder/inputs.h"
 #include "results/group/run_output.h"
+#include "results/group/unmatched.h"
 #include "results/page/filled_page.h"
 #include "results/page/group_run_page.h"
 #include "run.h"
@@ -82,9 +84,12 @@ py::array_t<double> points(const GroupMatch& group) {
                        {std::ssize(group.run.result.members), std::ssize(group.vertices), 3});
 }
 
+/// The same, not numbers where a shape is not matched at all.
 py::array_t<double> registered(const GroupMatch& group) {
-  return of_points<double>(group, 3,
-                           [](const GroupMember& member, int v) { return member.registered[v]; });
+  return of_points<double>(group, 3, [](const GroupMember& member, int v) -> Point {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    return member.is_matched() ? member.registered[v] : Point::Constant(kNan);
+  });
 }
 
 py::array_t<float> spread(const GroupMatch& group) {
@@ -117,6 +122,8 @@ py::dict parts(const GroupMatch& group, int source, int target, SurfaceMap map, 
 Fit judged(const GroupMatch& group, int source, int target, const SurfaceMap& map) {
   const std::vector<Shape>& shapes = group.run.collection.shapes;
   const std::vector<GroupMember>& members = group.run.result.members;
+  for (const int shape : {source, target})
+    if (!members[shape].is_matched()) return members[shape].fit;
   FitOptions options;
   options.parts =
       group.run.options.value("whole", false) == false &&
@@ -145,6 +152,13 @@ py::dict to_template(const GroupMatch& group, int shape) {
   const int onto = group.run.result.template_shape;
   return parts(group, shape, onto, member.to_template, member.from_template,
                judged(group, shape, onto, member.to_template));
+}
+
+/// Without the shapes that could not be matched, as the program has it.
+results::GroupRun matched_part(const GroupMatch& group) {
+  results::GroupRun run = group.run;
+  results::leave_out_unmatched(run);
+  return run;
 }
 
 results::ResultPlan plan_of(const GroupMatch& group, const SavedGroup& saved) {
@@ -176,14 +190,14 @@ std::vector<std::string> words_of(const GroupMatch& group, const SavedGroup& sav
 }
 
 void save(GroupMatch& group, const SavedGroup& saved, const RunOptions& how) {
-  results::GroupRun& run = group.run;
-  run.options["modes"] = saved.model.modes;
-  run.options["keep-size"] = saved.model.keep_size;
-  run.collection.paths = saved.paths;
-  run.all_maps = saved.all_maps;
-  run.words = words_of(group, saved);
-  run.working_folder = std::filesystem::current_path().string();
+  group.run.options["modes"] = saved.model.modes;
+  group.run.options["keep-size"] = saved.model.keep_size;
+  group.run.all_maps = saved.all_maps;
+  group.run.collection.paths = saved.paths;
+  group.run.words = words_of(group, saved);
+  group.run.working_folder = std::filesystem::current_path().string();
   run_work(how, [&](const Context& context) {
+    const results::GroupRun run = matched_part(group);
     const results::GroupOutput output = results::group_output(run, group.vertices, saved.model);
     const results::Json report = results::write_group_run(plan_of(group, saved), run, output);
     if (!saved.page) return;
@@ -195,9 +209,9 @@ void save(GroupMatch& group, const SavedGroup& saved, const RunOptions& how) {
 
 std::string page(const GroupMatch& group, bool keep_size, const RunOptions& how) {
   return run(how, [&](const Context& context) {
+    const results::GroupRun run = matched_part(group);
     return results::group_run_page(
-        group.run, results::group_output(group.run, results::spread_vertices(group.run, 0, context),
-                                         {keep_size}));
+        run, results::group_output(run, results::spread_vertices(run, 0, context), {keep_size}));
   });
 }
 

@@ -154,6 +154,24 @@ def test_what_a_part_lacks_is_not_there(with_a_part):
     assert np.any(group.map(0, 2).source_to_target < 0)
 
 
+def test_a_shape_that_none_matches_has_no_points_and_is_not_saved(creatures, tmp_path):
+    corners = 0.01 * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    crumb = corners, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+    with pytest.warns(isomatch.MatchWarning, match="crumb: poor fit"):
+        group = isomatch.group(
+            [*creatures[:2], crumb], names=["a", "b", "crumb"], refinement=False, scale="same"
+        )
+    group = pickle.loads(pickle.dumps(group))
+    assert group.present.all(axis=1).tolist() == [True, True, False]
+    assert not group.present[2].any() and np.isnan(group.registered_points[2]).all()
+    assert group.grades[2] == group.map(0, 2).fit.grade == "poor"
+    assert np.all(group.map("crumb", "a").source_to_target == -1)
+    with pytest.raises(ValueError, match="shape 2 has fewer than three points"):
+        group.model()
+    group.save(tmp_path)
+    assert np.load(tmp_path / "points.npz")["names"].tolist() == ["a", "b"]
+
+
 def test_the_model_is_that_of_the_points(group):
     model = group.model()
     points = len(group.template_vertices)
