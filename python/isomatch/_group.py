@@ -182,12 +182,12 @@ class Group:
         all_maps: bool = False,
         report: bool = False,
     ) -> None:
-        """Writes what `isomatch group -o FOLDER` writes, byte for byte but for times: points, meshes,
-        maps, mean and modes, of which there are `modes` at most, without shapes that none of the
-        others matches; what isomatch wrote into the folder before is replaced. Meshes that were given as arrays are written into it as
-        shapes/NAME.ply. `all_maps` adds the maps between all shapes, `report` group.html, a page
-        that shows the collection. Raises OSError, before anything is written also if a file would
-        be replaced that isomatch did not write."""
+        """Writes what `isomatch group -o FOLDER` writes, byte for byte but for times: points,
+        meshes, maps, mean and modes, of which there are `modes` at most, without shapes that none
+        of the others matches; what isomatch wrote into the folder before is replaced. Meshes that
+        were given as arrays are written into it as shapes/NAME.ply. `all_maps` adds the maps
+        between all shapes, `report` group.html, a page that shows the collection. Raises OSError,
+        before anything is written also if a file would be replaced that isomatch did not write."""
         folder = os.fsencode(folder)
         arrays, paths = {}, []
         for name, shape in zip(_encoded(self.names), self.shapes):
