@@ -18,6 +18,7 @@
 #include "command.h"
 #include "isomatch/error.h"
 #include "match/tracked_options.h"
+#include "memory_option.h"
 #include "program/partly_failed.h"
 #include "program/say.h"
 #include "results/batch/pair_list.h"
@@ -115,10 +116,9 @@ void refuse_list_as_output(const BatchCommand& batch, const std::vector<std::str
 }
 
 void run_batch(const BatchCommand& batch, bool quiet, const Context& context) {
-  constexpr double kGiB = 1 << 30;
   results::BatchOptions options = batch.options;
   options.matching.validate();
-  options.memory = static_cast<std::uint64_t>(batch.memory_gib * kGiB);
+  options.memory = bytes_of_gib(batch.memory_gib);
   const Shard shard = shard_of(batch.shard);
   const std::vector<results::ListedPair> all = pairs_of(batch);
   const results::Json common = results::batch_options_json(options);
@@ -186,12 +186,7 @@ void add_batch(CLI::App& app, Request& request) {
                    "a pair; `sqlite3 -A` extracts them");
   command.add_flag("--merge", batch->merge, "Match nothing, write pairs.csv of what is finished")
       ->excludes("--shard");
-  constexpr double kMostGiB = 1e6;
-  command
-      .add_option("--memory", batch->memory_gib, "For shapes that are kept for other pairs, in GiB")
-      ->type_name("GIB")
-      ->check(CLI::Range(0.0, kMostGiB))
-      ->capture_default_str();
+  add_memory_option(command, batch->memory_gib, "For shapes that are kept for other pairs, in GiB");
   command
       .add_option("--truth", batch->options.truth,
                   "Folder with ground truth, NAME.vts for each shape NAME; measures each map that "

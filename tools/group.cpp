@@ -15,21 +15,21 @@
 #include "command.h"
 #include "isomatch/error.h"
 #include "isomatch/group/shape_model.h"
-#include "isomatch/io/atomic_file.h"
 #include "match/tracked_options.h"
+#include "memory_option.h"
 #include "program/partly_failed.h"
 #include "program/say.h"
-#include "results/folder/report.h"
+#include "results/files/outputs.h"
+#include "results/files/parent_folders.h"
 #include "results/group/collection.h"
 #include "results/group/group_run.h"
-#include "results/option_names.h"
-#include "results/page/group_page.h"
-#include "results/page/page.h"
+#include "results/group/run_output.h"
+#include "results/group/unmatched.h"
+#include "results/page/filled_page.h"
+#include "results/page/group_run_page.h"
 
 namespace isomatch::cli {
 namespace {
-
-constexpr const char* kGroupPage = "group.html";
 
 struct GroupCommand {
   std::vector<std::string> places, words;
@@ -51,24 +51,27 @@ Context part(const Context& context, double begin, double end) {
   return result;
 }
 
-int template_of(const std::string& name, const results::Collection& collection) {
-  if (name.empty()) return -1;
-  for (const auto* known : {&collection.names, &collection.paths}) {
-    const auto found = std::ranges::find(*known, name);
-    if (found != known->end()) return static_cast<int>(found - known->begin());
-  }
+/// The file of the shape of that name, or the file itself; empty if none is named.
+std::string template_file(const std::string& name, const std::vector<std::string>& files) {
+  if (name.empty()) return {};
+  const auto named = std::ranges::find(files, name, results::shape_name);
+  if (named != files.end()) return *named;
+  if (std::ranges::count(files, name) > 0) return name;
   throw InvalidInput(fmt::format("--template: {} is none of the shapes", name));
 }
 
-results::Json options_of(const GroupCommand& group) {
-  results::Json json = results::options_json("group");
-  results::add_options(json, group.options.matching);
-  results::set_path(json, "template", group.template_name);
-  json["neighbours"] = group.options.neighbours;
-  json["points"] = group.points;
-  json["modes"] = group.model.modes;
-  json["keep-size"] = group.model.keep_size;
-  return json;
+/// Where in the collection that file is; -1 if it has no name.
+int place_of(const std::string& file, const results::Collection& collection) {
+  if (file.empty()) return -1;
+  const auto found = std::ranges::find(collection.paths, file);
+  if (found == collection.paths.end()) throw BadFile(file, "is the template, but cannot be used");
+  return static_cast<int>(found - collection.paths.begin());
+}
+
+/// All but so many, which were told of.
+void tell_left_out(const results::Collection& collection, std::size_t told) {
+  for (std::size_t k = told; k < collection.left_out.size(); ++k)
+    say("left out: {}", collection.left_out[k].reason);
 }
 
 results::Collection collected(const GroupCommand& group, const std::vector<std::string>& files,
@@ -79,56 +82,11 @@ results::Collection collected(const GroupCommand& group, const std::vector<std::
         if (!group.quiet) say("{}: {}", path, warning);
       },
       context);
-  for (const results::LeftOut& one : collection.left_out) say("left out: {}", one.reason);
+  tell_left_out(collection, 0);
   if (collection.shapes.size() < 2)
     throw InvalidInput(fmt::format("a group needs two shapes at least; {} of {} can be used",
                                    collection.shapes.size(), files.size()));
   return collection;
-}
-
-/// The template's faces and the points of all shapes at `vertices`, with their statistics.
-results::GroupOutput output_of(const results::GroupRun& run, std::vector<int> vertices,
-                               const ShapeModelOptions& options) {
-  results::GroupOutput output;
-  output.names = run.collection.names;
-  output.points = results::points_of(run, vertices);
-  output.faces = results::faces_between(run.template_mesh(), vertices);
-  output.template_vertices = std::move(vertices);
-  output.model = shape_model(output.points, options);
-  output.quality = model_quality(output.model);
-  results::ShapeColumn fit{"fit", {}}, cycle{"cycle_error", {}};
-  const std::vector<double> errors = results::cycle_errors(run);
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    fit.values.emplace_back(to_string(run.result.members[k].fit.grade));
-    cycle.values.push_back(fmt::format("{:.6g}", errors[k]));
-  }
-  output.columns = {std::move(fit), std::move(cycle)};
-  return output;
-}
-
-void write_page(const std::string& path, const results::GroupRun& run,
-                const results::GroupOutput& output) {
-  results::GroupPageData page;
-  page.title = fmt::format("{} shapes", run.collection.names.size());
-  page.command = run.words;
-  for (const int v : output.template_vertices)
-    page.template_mesh.vertices.push_back(run.template_mesh().vertices[v]);
-  page.template_mesh.faces = output.faces;
-  page.template_shape = run.result.template_shape;
-  const std::vector<double> errors = results::cycle_errors(run);
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    const GroupMember& member = run.result.members[k];
-    std::vector<float> spread;
-    for (const int v : output.template_vertices) spread.push_back(member.spread[v]);
-    page.members.push_back({run.collection.names[k], member.fit.grade, member.fit.reasons,
-                            errors[k], output.points.points[k], output.points.present[k],
-                            std::move(spread)});
-  }
-  page.pairs = run.result.pairs;
-  page.model = results::GroupPageModel{output.model, output.quality};
-  AtomicFile file(path);
-  file.write(results::group_page(page));
-  file.commit();
 }
 
 void tell(const results::GroupRun& run, const std::string& folder) {
@@ -141,46 +99,56 @@ void tell(const results::GroupRun& run, const std::string& folder) {
   say("{} shapes, template {}: {} good, {} doubtful, {} poor", run.collection.names.size(),
       run.collection.names[run.result.template_shape], graded(FitGrade::kGood),
       graded(FitGrade::kDoubtful), graded(FitGrade::kPoor));
-  say("{} pairs matched, of which {} disagree with the others", run.result.pairs.size(), replaced);
+  say("{} {} matched, of which {} disagree with the others", run.result.pairs.size(),
+      run.result.pairs.size() == 1 ? "pair" : "pairs", replaced);
   say("written to {}", folder);
 }
 
 void run_group(const GroupCommand& group, const Context& context) {
-  constexpr double kRead = 0.02, kMatched = 0.93, kGiB = 1 << 30;
+  constexpr double kRead = 0.02, kMatched = 0.93;
+  if (group.report) results::check_page_available();
+  results::check_folder_name(group.folder);
   const std::vector<std::string> files = results::collected_files(group.places);
+  const std::string template_path = template_file(group.template_name, files);
+  const results::ParentFolders parents(group.folder);
   std::vector<std::string> names;
-  for (const std::string& file : files)
-    names.push_back(std::filesystem::path(file).stem().string());
+  for (const std::string& file : files) names.push_back(results::shape_name(file));
   results::ResultPlan plan{group.folder, results::group_run_files(names, group.all_maps),
                            results::InputFiles(files)};
-  plan.files.emplace_back(kGroupPage);
+  plan.files.emplace_back(results::kGroupPage);
   results::check_plan(plan);
-  if (group.report) results::check_page_available();
   context.report(0, "reading");
-  results::GroupRun run{group.words,
-                        std::filesystem::current_path().string(),
-                        options_of(group),
-                        collected(group, files, context),
-                        {}};
+  results::GroupRun run{
+      group.words,
+      std::filesystem::current_path().string(),
+      results::group_options_json(group.options, group.template_name, group.points, group.model),
+      collected(group, files, context),
+      {}};
   GroupOptions options = group.options;
-  options.template_shape = template_of(group.template_name, run.collection);
-  options.memory = static_cast<std::uint64_t>(group.memory_gib * kGiB);
+  options.template_shape = place_of(template_path, run.collection);
+  options.memory = bytes_of_gib(group.memory_gib);
   run.all_maps = group.all_maps;
   run.result = match_group(run.collection.shapes, options, part(context, kRead, kMatched));
+  const std::size_t unread = run.collection.left_out.size();
+  results::leave_out_unmatched(run);
+  tell_left_out(run.collection, unread);
   context.report(kMatched, "model");
-  const results::GroupOutput output =
-      output_of(run, results::spread_vertices(run, group.points, context), group.model);
-  results::write_group_run(plan, run, output);
-  if (group.report) {
-    const std::string page = (std::filesystem::path(group.folder) / kGroupPage).string();
-    if (group.points == 0)
-      write_page(page, run, output);
-    else
-      write_page(page, run, output_of(run, results::spread_vertices(run, 0, context), group.model));
-  }
+  const auto output_at = [&](int points) {
+    return results::group_output(run, results::spread_vertices(run, points, context), group.model);
+  };
+  const results::GroupOutput output = output_at(group.points);
+  const results::Json report = results::write_group_run(plan, run, output);
+  if (group.report)
+    results::write_group_page(group.folder, report, run, group.points == 0 ? output : output_at(0));
   if (!group.quiet) tell(run, group.folder);
   if (const std::size_t left_out = run.collection.left_out.size(); left_out > 0)
     throw PartlyFailed(fmt::format("{} of {} shapes were left out", left_out, files.size()));
+}
+
+std::string at_least_minus_one(const std::string& text) {
+  int value = 0;
+  const bool fits = CLI::detail::lexical_cast(text, value) && value >= -1;
+  return fits ? std::string() : "expected -1, 0 or more, not " + text;
 }
 
 void add_output_options(CLI::App& command, GroupCommand& group) {
@@ -193,10 +161,15 @@ void add_output_options(CLI::App& command, GroupCommand& group) {
       .add_option("--points", group.points,
                   "Evenly spread points on each shape; 0 for all vertices of the template")
       ->type_name("P")
-      ->check(CLI::NonNegativeNumber)
+      ->check([](const std::string& text) {
+        int points = 0;
+        const bool fits = CLI::detail::lexical_cast(text, points) && (points == 0 || points >= 3);
+        return fits ? std::string() : "expected 0, or 3 and more, not " + text;
+      })
       ->capture_default_str();
   command.add_option("--modes", group.model.modes, "Principal modes at most; -1 for all")
       ->type_name("K")
+      ->check(at_least_minus_one)
       ->capture_default_str();
   command.add_flag("--keep-size", group.model.keep_size,
                    "Size is a part of shape: align by moving and turning only");
@@ -224,14 +197,10 @@ void add_group(CLI::App& app, Request& request) {
           "Shapes most like it that each shape is matched with besides the template; -1 for "
           "1.5 log2 of their number")
       ->type_name("K")
+      ->check(at_least_minus_one)
       ->capture_default_str();
-  constexpr double kMostGiB = 1e6;
-  command
-      .add_option("--memory", group->memory_gib,
-                  "For what matching keeps of shapes for other pairs, in GiB")
-      ->type_name("GIB")
-      ->check(CLI::Range(0.0, kMostGiB))
-      ->capture_default_str();
+  add_memory_option(command, group->memory_gib,
+                    "For what matching keeps of shapes for other pairs, in GiB");
   add_tracked_options(command, "Options of every match", group->options.matching);
   add_run_options(command, request);
   set_example(command,

@@ -23,6 +23,10 @@ Json read_report(const std::string& path) {
   if (!file) throw BadFile(path, "cannot be opened; is this the folder of a match?");
   try {
     Json report = Json::parse(file);
+    if (report.at("options").at("method") == "group")
+      throw BadFile(path,
+                    "is of a collection, not of a match: open its group.html, or make it with "
+                    "isomatch group --report");
     for (const char* side : {"source", "target"}) {
       get_path(report.at(side), "file");
       for (const char* field : {"vertices", "faces"}) report.at(side).at(field).get<int>();

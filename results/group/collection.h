@@ -23,7 +23,11 @@ struct Collection {
   std::vector<LeftOut> left_out;
 };
 
-/// The files among `places` and the meshes in the folders among them, in that order. Throws
+/// The name of a file without folders and ending.
+std::string shape_name(const std::string& path);
+
+/// The files among `places` and the meshes in the folders among them, in that order,
+/// without those that isomatch left in these folders. Throws
 /// `BadFile` if one is not there, `InvalidInput` if two have the same name without the ending.
 std::vector<std::string> collected_files(const std::vector<std::string>& places);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -40,14 +41,19 @@ constexpr const char* kFromTemplate = "from_template";
 constexpr const char* kToTemplate = "to_template";
 constexpr const char* kPairTable = "pairs.csv";
 
+/// Empty if there is no number.
+std::string field_of(double value) {
+  return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string();
+}
+
 void write_pairs(const std::string& path, const GroupRun& run) {
   const std::vector<std::string>& names = run.collection.names;
   AtomicFile file(path);
   file.write("source,target,cost,cycle_error,use\n");
   for (const GroupPair& pair : run.result.pairs)
-    file.write(fmt::format("{},{},{:.6g},{:.6g},{}\n", csv_field(names[pair.source]),
-                           csv_field(names[pair.target]), pair.cost, pair.cycle_error,
-                           to_string(pair.use)));
+    file.write(fmt::format("{},{},{},{},{}\n", csv_field(names[pair.source]),
+                           csv_field(names[pair.target]), field_of(pair.cost),
+                           field_of(pair.cycle_error), to_string(pair.use)));
   file.commit();
 }
 
@@ -95,6 +101,7 @@ std::vector<double> cycle_errors(const GroupRun& run) {
   std::vector<double> sums(run.collection.names.size(), 0);
   std::vector<int> counts(sums.size(), 0);
   for (const GroupPair& pair : run.result.pairs) {
+    if (!std::isfinite(pair.cycle_error)) continue;
     for (const int shape : {pair.source, pair.target}) {
       sums[shape] += pair.cycle_error;
       ++counts[shape];

@@ -168,12 +168,14 @@ class GroupPacking {
 
 Json pairs_json(const std::vector<GroupPair>& pairs) {
   Json json = Json::array();
-  for (const GroupPair& pair : pairs)
+  for (const GroupPair& pair : pairs) {
+    if (!std::isfinite(pair.cost) || !std::isfinite(pair.cycle_error)) continue;
     json.push_back({{"source", pair.source},
                     {"target", pair.target},
                     {"cost", pair.cost},
                     {"cycle_error", pair.cycle_error},
                     {"use", kUses[static_cast<std::size_t>(pair.use)]}});
+  }
   return json;
 }
 

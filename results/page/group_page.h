@@ -44,7 +44,7 @@ struct GroupPageData {
   /// Which member it is.
   int template_shape = 0;
   std::vector<GroupPageMember> members;
-  /// Of indices into `members`.
+  /// Of indices into `members`. Those without a finite error are not drawn.
   std::vector<GroupPair> pairs;
   /// Its points are the vertices of the template.
   std::optional<GroupPageModel> model;

@@ -51,8 +51,7 @@ class Group {
     result.template_shape = template_;
     timed("members", kMembers, 1, [&](const Context& part) { result.members = all_members(part); });
     for (const MatchedPair& pair : pairs_.all())
-      result.pairs.push_back({pair.source, pair.target, pair.counts() ? pair.map().cost : 0,
-                              pair.cycle_error, pair.use});
+      result.pairs.push_back({pair.source, pair.target, pair.cost(), pair.cycle_error, pair.use});
     result.times = std::move(times_);
     return result;
   }
@@ -82,6 +81,24 @@ class Group {
     return boundary_length(surfaces_[shape]->mesh) > kLong;
   }
 
+  /// None that lacks something, unless all do, and none that is far simpler than most: its vertices
+  /// are those that are followed.
+  std::vector<bool> eligible_templates() const {
+    constexpr int kSimpler = 4;
+    std::vector<int> sizes;
+    for (const Surface* surface : surfaces_) sizes.push_back(surface->num_vertices());
+    std::ranges::nth_element(sizes, sizes.begin() + count() / 2);
+    const auto choose = [&](bool whole) {
+      std::vector<bool> eligible(shapes_.size());
+      for (int shape = 0; shape < count(); ++shape)
+        eligible[shape] = kSimpler * surfaces_[shape]->num_vertices() >= sizes[count() / 2] &&
+                          !(whole && is_part(shape));
+      return eligible;
+    };
+    std::vector<bool> eligible = choose(true);
+    return std::ranges::count(eligible, true) > 0 ? eligible : choose(false);
+  }
+
   PairList star() const {
     PairList pairs;
     for (int shape = 0; shape < count(); ++shape)
@@ -97,14 +114,17 @@ class Group {
     };
     template_ = options_.template_shape;
     if (template_ >= 0) return add(0, kNeighbours);
-    std::vector<bool> whole(shapes_.size());
-    for (int shape = 0; shape < count(); ++shape) whole[shape] = !is_part(shape);
-    const auto first = std::ranges::find(whole, true);
-    if (first == whole.end()) whole.assign(whole.size(), true);
-    template_ = first == whole.end() ? 0 : static_cast<int>(first - whole.begin());
+    std::vector<bool> eligible = eligible_templates();
+    const auto first = static_cast<int>(std::ranges::find(eligible, true) - eligible.begin());
+    template_ = first;
     add(0, kNeighbours / 2);
-    template_ = likeness().most_central(whole);
+    template_ = likeness().most_central(eligible);
+    // To a shape that is unlike all others all may seem near: where they lie on it says little.
+    const bool in_doubt = template_ == first && std::ranges::count(eligible, true) > 1;
+    eligible[first] = false;
+    if (in_doubt) template_ = likeness().most_central(eligible);
     add(kNeighbours / 2, kNeighbours);
+    if (in_doubt && !pairs_.fits_far_better(template_, first)) template_ = first;
   }
 
   PairList neighbours() const {
@@ -136,6 +156,19 @@ class Group {
     return {itself, itself, mesh.vertices, std::vector<float>(mesh.vertices.size(), 0.0F), {}};
   }
 
+  bool is_placed(int shape) const {
+    return std::ranges::any_of(places_[shape],
+                               [](const SurfacePoint& place) { return place.face != kNoFace; });
+  }
+
+  GroupMember unmatched_member(int shape) const {
+    return {SurfaceMap(shapes_[template_].mesh().vertices.size()),
+            SurfaceMap(shapes_[shape].mesh().vertices.size()),
+            {},
+            std::vector<float>(shapes_[template_].mesh().vertices.size(), 0.0F),
+            {FitGrade::kPoor, {"no map leads to it that agrees with others"}, {}}};
+  }
+
   /// Without what is not part of the surface.
   SurfaceMap at_surface(SurfaceMap map, int shape) const {
     const Surface& surface = *surfaces_[shape];
@@ -144,6 +177,7 @@ class Group {
 
   GroupMember member(const MapGraph& maps, int shape, const Context& context) {
     if (shape == template_) return template_member();
+    if (!is_placed(shape)) return unmatched_member(shape);
     const Shape source = pool_.get(template_), target = pool_.get(shape);
     TrackedMap map = tracked::settled(source, target, places_[shape], options_.matching, context);
     FitOptions fit;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "isomatch/error.h"
 #include "parallel.h"
@@ -36,6 +37,7 @@ MatchedPair match_pair(const Shape& source, const Shape& target, std::pair<int, 
                              *on_surfaces(onto, from, map.target_to_source), map.cost()});
   } catch (const InvalidInput&) {
     result.use = PairUse::kComposed;
+    result.cycle_error = std::numeric_limits<double>::quiet_NaN();
   }
   return result;
 }
@@ -71,6 +73,22 @@ MapGraph Pairs::graph() const {
     maps.push_back({pair.target, pair.source, &pair.map().backward, weight});
   }
   return {surfaces_, maps};
+}
+
+double Pairs::median_cost(int shape) const {
+  std::vector<double> costs;
+  for (const MatchedPair& pair : pairs_)
+    if (pair.source == shape || pair.target == shape)
+      costs.push_back(pair.maps.empty() ? std::numeric_limits<double>::infinity() : pair.cost());
+  const auto median = costs.begin() + std::ssize(costs) / 2;
+  std::ranges::nth_element(costs, median);
+  return *median;
+}
+
+bool Pairs::fits_far_better(int shape, int other) const {
+  // Costs of pairs of one kind differ by less, those of different things by a hundred times.
+  constexpr double kFar = 10;
+  return kFar * median_cost(shape) < median_cost(other);
 }
 
 double Pairs::cycle_error(const MapGraph& graph, const std::vector<Places>& places,

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <limits>
 #include <set>
 #include <span>
 #include <string_view>
@@ -29,10 +30,15 @@ struct MatchedPair {
   std::vector<PairMaps> maps;
   std::size_t used = 0;
   PairUse use = PairUse::kAgrees;
+  /// NaN without maps.
   double cycle_error = 0;
 
   bool counts() const { return use != PairUse::kComposed; }
   const PairMaps& map() const { return maps[used]; }
+  /// NaN without maps.
+  double cost() const {
+    return maps.empty() ? std::numeric_limits<double>::quiet_NaN() : map().cost;
+  }
 };
 
 using PairList = std::vector<std::pair<int, int>>;
@@ -52,11 +58,15 @@ class Pairs {
   /// give way to a runner-up that does, or else do not count any more. Whether there were such.
   bool weed_out(const std::vector<Places>& places, std::string_view stage, const Context& context);
 
+  /// Whether the median cost of a shape's pairs is far below that of another one's.
+  bool fits_far_better(int shape, int other) const;
+
   const std::vector<MatchedPair>& all() const { return pairs_; }
 
  private:
   std::vector<MatchedPair> matched(const PairList& pairs, const TrackedOptions& options,
                                    std::string_view stage, const Context& context) const;
+  double median_cost(int shape) const;
   double cycle_error(const MapGraph& graph, const std::vector<Places>& places,
                      const MatchedPair& pair, const PairMaps& maps) const;
 

@@ -119,7 +119,6 @@ TEST(GroupPage, WhatDoesNotFitIsRefused) {
   refused([](GroupPageData& d) { d.members.clear(); });
   refused([](GroupPageData& d) { d.template_shape = kShapes; });
   refused([](GroupPageData& d) { d.pairs.front().target = -1; });
-  refused([](GroupPageData& d) { d.pairs.front().cycle_error = std::nan(""); });
   refused([](GroupPageData& d) { d.members[1].cycle_error = std::nan(""); });
   refused([](GroupPageData& d) { d.members[1].points.pop_back(); });
   refused([](GroupPageData& d) { d.members[3].points[0].x() = std::nan(""); });

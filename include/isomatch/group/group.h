@@ -21,7 +21,7 @@ struct GroupOptions {
   /// Of every pair. Landmarks must be empty.
   TrackedOptions matching;
   /// The shape whose vertices are followed to all others; chosen if negative: the one that is
-  /// nearest to all others and not a part.
+  /// nearest to all others, not a part, and no simpler than most.
   int template_shape = -1;
   /// Shapes most like it that each shape is matched with besides the template; 1.5 log2 N if
   /// negative.
@@ -49,11 +49,11 @@ std::string_view to_string(PairUse use);
 /// A pair that was matched.
 struct GroupPair {
   int source = 0, target = 0;
-  /// How badly the shapes fit, see `TrackedMap::cost`.
+  /// How badly the shapes fit, see `TrackedMap::cost`; NaN if they have too little in common.
   double cost = 0;
   /// Mean distance between where its own map, or the runner-up, leads the points of the template
   /// from the source, and where they lie on the target, over sqrt(area) of the target: how far
-  /// cycles through it are from closing.
+  /// cycles through it are from closing. NaN without a map.
   double cycle_error = 0;
   PairUse use = PairUse::kAgrees;
 };
@@ -72,6 +72,10 @@ struct GroupMember {
   std::vector<float> spread;
   /// Of the map from the template.
   Fit fit;
+
+  /// Whether maps that agree lead to it. If not, the maps have no points, and nothing is
+  /// registered.
+  bool is_matched() const { return !registered.empty(); }
 };
 
 struct GroupResult {
