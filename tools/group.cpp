@@ -15,26 +15,21 @@
 #include "command.h"
 #include "isomatch/error.h"
 #include "isomatch/group/shape_model.h"
-#include "isomatch/io/atomic_file.h"
 #include "match/tracked_options.h"
 #include "memory_option.h"
 #include "program/partly_failed.h"
 #include "program/say.h"
 #include "results/files/outputs.h"
 #include "results/files/parent_folders.h"
-#include "results/files/written_files.h"
-#include "results/folder/report.h"
 #include "results/group/collection.h"
 #include "results/group/group_run.h"
+#include "results/group/run_output.h"
 #include "results/group/unmatched.h"
-#include "results/option_names.h"
-#include "results/page/group_page.h"
-#include "results/page/page.h"
+#include "results/page/filled_page.h"
+#include "results/page/group_run_page.h"
 
 namespace isomatch::cli {
 namespace {
-
-constexpr const char* kGroupPage = "group.html";
 
 struct GroupCommand {
   std::vector<std::string> places, words;
@@ -73,17 +68,6 @@ int place_of(const std::string& file, const results::Collection& collection) {
   return static_cast<int>(found - collection.paths.begin());
 }
 
-results::Json options_of(const GroupCommand& group) {
-  results::Json json = results::options_json("group");
-  results::add_options(json, group.options.matching);
-  results::set_path(json, "template", group.template_name);
-  json["neighbours"] = group.options.neighbours;
-  json["points"] = group.points;
-  json["modes"] = group.model.modes;
-  json["keep-size"] = group.model.keep_size;
-  return json;
-}
-
 /// All but so many, which were told of.
 void tell_left_out(const results::Collection& collection, std::size_t told) {
   for (std::size_t k = told; k < collection.left_out.size(); ++k)
@@ -103,51 +87,6 @@ results::Collection collected(const GroupCommand& group, const std::vector<std::
     throw InvalidInput(fmt::format("a group needs two shapes at least; {} of {} can be used",
                                    collection.shapes.size(), files.size()));
   return collection;
-}
-
-/// The template's faces and the points of all shapes at `vertices`, with their statistics.
-results::GroupOutput output_of(const results::GroupRun& run, std::vector<int> vertices,
-                               const ShapeModelOptions& options) {
-  results::GroupOutput output;
-  output.names = run.collection.names;
-  output.points = results::points_of(run, vertices);
-  output.faces = results::faces_between(run.template_mesh(), vertices);
-  output.template_vertices = std::move(vertices);
-  output.model = shape_model(output.points, options);
-  output.quality = model_quality(output.model);
-  results::ShapeColumn fit{"fit", {}}, cycle{"cycle_error", {}};
-  const std::vector<double> errors = results::cycle_errors(run);
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    fit.values.emplace_back(to_string(run.result.members[k].fit.grade));
-    cycle.values.push_back(fmt::format("{:.6g}", errors[k]));
-  }
-  output.columns = {std::move(fit), std::move(cycle)};
-  return output;
-}
-
-void write_page(const std::string& path, const results::GroupRun& run,
-                const results::GroupOutput& output) {
-  results::GroupPageData page;
-  page.title = fmt::format("{} shapes", run.collection.names.size());
-  page.command = run.words;
-  for (const int v : output.template_vertices)
-    page.template_mesh.vertices.push_back(run.template_mesh().vertices[v]);
-  page.template_mesh.faces = output.faces;
-  page.template_shape = run.result.template_shape;
-  const std::vector<double> errors = results::cycle_errors(run);
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    const GroupMember& member = run.result.members[k];
-    std::vector<float> spread;
-    for (const int v : output.template_vertices) spread.push_back(member.spread[v]);
-    page.members.push_back({run.collection.names[k], member.fit.grade, member.fit.reasons,
-                            errors[k], output.points.points[k], output.points.present[k],
-                            std::move(spread)});
-  }
-  page.pairs = run.result.pairs;
-  page.model = results::GroupPageModel{output.model, output.quality};
-  AtomicFile file(path);
-  file.write(results::group_page(page));
-  file.commit();
 }
 
 void tell(const results::GroupRun& run, const std::string& folder) {
@@ -176,14 +115,15 @@ void run_group(const GroupCommand& group, const Context& context) {
   for (const std::string& file : files) names.push_back(results::shape_name(file));
   results::ResultPlan plan{group.folder, results::group_run_files(names, group.all_maps),
                            results::InputFiles(files)};
-  plan.files.emplace_back(kGroupPage);
+  plan.files.emplace_back(results::kGroupPage);
   results::check_plan(plan);
   context.report(0, "reading");
-  results::GroupRun run{group.words,
-                        std::filesystem::current_path().string(),
-                        options_of(group),
-                        collected(group, files, context),
-                        {}};
+  results::GroupRun run{
+      group.words,
+      std::filesystem::current_path().string(),
+      results::group_options_json(group.options, group.template_name, group.points, group.model),
+      collected(group, files, context),
+      {}};
   GroupOptions options = group.options;
   options.template_shape = place_of(template_path, run.collection);
   options.memory = bytes_of_gib(group.memory_gib);
@@ -193,17 +133,13 @@ void run_group(const GroupCommand& group, const Context& context) {
   results::leave_out_unmatched(run);
   tell_left_out(run.collection, unread);
   context.report(kMatched, "model");
-  const results::GroupOutput output =
-      output_of(run, results::spread_vertices(run, group.points, context), group.model);
+  const auto output_at = [&](int points) {
+    return results::group_output(run, results::spread_vertices(run, points, context), group.model);
+  };
+  const results::GroupOutput output = output_at(group.points);
   const results::Json report = results::write_group_run(plan, run, output);
-  if (group.report) {
-    const std::string page = (std::filesystem::path(group.folder) / kGroupPage).string();
-    if (group.points == 0)
-      write_page(page, run, output);
-    else
-      write_page(page, run, output_of(run, results::spread_vertices(run, 0, context), group.model));
-    results::list_in_report(group.folder, report, kGroupPage);
-  }
+  if (group.report)
+    results::write_group_page(group.folder, report, run, group.points == 0 ? output : output_at(0));
   if (!group.quiet) tell(run, group.folder);
   if (const std::size_t left_out = run.collection.left_out.size(); left_out > 0)
     throw PartlyFailed(fmt::format("{} of {} shapes were left out", left_out, files.size()));

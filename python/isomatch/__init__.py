@@ -33,10 +33,12 @@ finally:
 
 from ._batch import Batch, batch
 from ._folders import load
+from ._group import Group, GroupPair, group
 from ._maps import Points, read_map, write_map
 from ._match import Fit, Hypothesis, Level, Map, Match
 from ._matching import match
 from ._meshes import Shape, read_mesh, write_mesh
+from ._shape_model import ShapeModel, shape_model
 from ._stages import (
     Distortion,
     ErrorCurve,
@@ -74,6 +76,8 @@ __all__ = [
     "Distortion",
     "ErrorCurve",
     "Fit",
+    "Group",
+    "GroupPair",
     "Hypothesis",
     "Level",
     "Map",
@@ -82,6 +86,7 @@ __all__ = [
     "Orientation",
     "Points",
     "Shape",
+    "ShapeModel",
     "SynthShape",
     "TexturedMesh",
     "Transfer",
@@ -93,6 +98,7 @@ __all__ = [
     "geodesic_diameter",
     "geodesic_distances",
     "integral_geodesic_distance",
+    "group",
     "invert_map",
     "isometric_distortion",
     "load",
@@ -106,6 +112,7 @@ __all__ = [
     "read_vts",
     "sample_bases",
     "sample_jointly",
+    "shape_model",
     "synthesize",
     "write_colored_mesh",
     "write_map",

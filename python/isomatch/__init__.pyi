@@ -31,6 +31,59 @@ class Batch:
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
 
+class Group:
+    names: List[str]
+    shapes: List[Shape]
+    template: int
+    template_vertices: np.ndarray
+    template_faces: np.ndarray
+    points: np.ndarray
+    present: np.ndarray
+    registered_points: np.ndarray
+    spread: np.ndarray
+    fits: List[Fit]
+    grades: List[str]
+    pairs: List[GroupPair]
+    cycle_errors: np.ndarray
+    keep_size: bool
+    seconds: Dict[str, float]
+    def __len__(self) -> int: ...
+    @property
+    def warnings(self) -> List[str]: ...
+    def map(
+        self,
+        source: Union[int, str],
+        target: Union[int, str],
+    ) -> Map: ...
+    def from_template(
+        self,
+        target: Union[int, str],
+    ) -> Map: ...
+    def to_template(
+        self,
+        source: Union[int, str],
+    ) -> Map: ...
+    def model(
+        self,
+        *,
+        keep_size: Optional[bool] = None,
+        modes: Optional[int] = None,
+    ) -> ShapeModel: ...
+    @property
+    def mean(self) -> np.ndarray: ...
+    def save(
+        self,
+        folder: PathLike,
+        *,
+        modes: Optional[int] = None,
+        all_maps: bool = False,
+        report: bool = False,
+    ) -> None: ...
+    def report(
+        self,
+        path: Optional[PathLike] = None,
+    ) -> Optional[str]: ...
+
 class Map:
     source: Shape
     target: Shape
@@ -72,6 +125,22 @@ class Shape:
     @property
     def warnings(self) -> List[str]: ...
     def diagnosis(self) -> Dict[str, Any]: ...
+
+class ShapeModel:
+    mean: np.ndarray
+    modes: np.ndarray
+    variances: np.ndarray
+    scores: np.ndarray
+    aligned: np.ndarray
+    alignments: np.ndarray
+    completed: np.ndarray
+    compactness: np.ndarray
+    generalisation: np.ndarray
+    specificity: np.ndarray
+    def shape_at(
+        self,
+        deviations: ArrayLike,
+    ) -> np.ndarray: ...
 
 class SynthShape:
     vertices: np.ndarray
@@ -159,6 +228,13 @@ class Fit(NamedTuple):
     unreached: float
     unmatched: float
     reversed: Optional[float]
+
+class GroupPair(NamedTuple):
+    source: int
+    target: int
+    cost: float
+    cycle_error: float
+    use: str
 
 class Hypothesis(NamedTuple):
     distortion: float
@@ -317,6 +393,26 @@ def geodesic_distances(
     window_angle: float = 20.0,
 ) -> np.ndarray: ...
 
+def group(
+    shapes: Sequence[MeshLike],
+    *,
+    names: Optional[Sequence[str]] = None,
+    template: Union[None, int, str] = None,
+    neighbours: Optional[int] = None,
+    points: Optional[int] = None,
+    keep_size: bool = False,
+    memory: float = 2.0,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+    whole: bool = False,
+    scale: str = 'auto',
+    allow_reflection: bool = False,
+    orientation: bool = True,
+    elastic_judging: bool = True,
+    refinement: bool = True,
+    alternatives: int = 0,
+) -> Group: ...
+
 def integral_geodesic_distance(
     mesh: MeshLike,
     *,
@@ -463,6 +559,14 @@ def sample_jointly(
     candidate_levels: int = 4,
     levels: int = 100,
 ) -> Tuple[np.ndarray, np.ndarray]: ...
+
+def shape_model(
+    points: ArrayLike,
+    present: Optional[ArrayLike] = None,
+    *,
+    keep_size: bool = False,
+    modes: Optional[int] = None,
+) -> ShapeModel: ...
 
 def synthesize(
     *,

@@ -20,6 +20,8 @@ void bind_tracked(pybind11::module_& module);
 void bind_paper(pybind11::module_& module);
 void bind_maps(pybind11::module_& module);
 void bind_folder(pybind11::module_& module);
+void bind_group(pybind11::module_& module);
+void bind_shape_model(pybind11::module_& module);
 void bind_page(pybind11::module_& module);
 
 }  // namespace isomatch::python

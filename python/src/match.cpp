@@ -32,10 +32,8 @@ void check_save(const SavedAs& saved, std::vector<std::string> files) {
   results::check_plan(plan);
 }
 
-std::vector<std::string> command_line(const SavedAs& saved, const results::Json& options,
-                                      const results::Json& defaults) {
-  std::vector<std::string> words{"isomatch",   "match", saved.source,
-                                 saved.target, "-o",    saved.folder};
+void add_flags(std::vector<std::string>& words, const results::Json& options,
+               const results::Json& defaults) {
   for (const auto& [name, value] : options.items()) {
     if ((defaults.contains(name) && value == defaults[name]) || name.ends_with("_escaped"))
       continue;
@@ -43,6 +41,13 @@ std::vector<std::string> command_line(const SavedAs& saved, const results::Json&
     if (value.is_string()) words.push_back(results::get_path(options, name));
     if (value.is_number()) words.push_back(value.dump());
   }
+}
+
+std::vector<std::string> command_line(const SavedAs& saved, const results::Json& options,
+                                      const results::Json& defaults) {
+  std::vector<std::string> words{"isomatch",   "match", saved.source,
+                                 saved.target, "-o",    saved.folder};
+  add_flags(words, options, defaults);
   return words;
 }
 

@@ -42,6 +42,10 @@ results::Json report_options(const std::string& method, const Options& options) 
   return json;
 }
 
+/// Adds flags for `options` that differ from `defaults` to a command line.
+void add_flags(std::vector<std::string>& words, const results::Json& options,
+               const results::Json& defaults);
+
 /// The command line that makes what is saved: flags for `options` that differ from `defaults`.
 std::vector<std::string> command_line(const SavedAs& saved, const results::Json& options,
                                       const results::Json& defaults);

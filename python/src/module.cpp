@@ -41,5 +41,7 @@ PYBIND11_MODULE(_core, module) {
   bind_paper(module);
   bind_maps(module);
   bind_folder(module);
+  bind_group(module);
+  bind_shape_model(module);
   bind_page(module);
 }

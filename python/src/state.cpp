@@ -4,6 +4,8 @@
 
 #include <pybind11/stl.h>
 
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "arrays.h"
@@ -161,17 +163,111 @@ PaperResult to_paper_result(const results::MatchInputs& inputs, const py::tuple&
   return result;
 }
 
+std::string to_text(const Fit& fit) { return results::to_json(fit).dump(); }
+
+Fit to_fit(const py::handle& state) {
+  return results::to_fit(results::Json::parse(state.cast<std::string>()));
+}
+
+py::tuple to_state(const GroupMember& member) {
+  const auto& [from_template, to_template, registered, spread, fit] = member;
+  return py::make_tuple(to_arrays(from_template), to_arrays(to_template), to_array(registered),
+                        adopt(std::vector(spread)), to_text(fit));
+}
+
+GroupMember to_member(const py::tuple& state) {
+  check(state.size() == 5);
+  return {points(state[0]), points(state[1]), to_points(state[2].cast<py::array>(), "state"),
+          state[3].cast<std::vector<float>>(), to_fit(state[4])};
+}
+
+py::tuple to_state(const GroupPair& pair) {
+  const auto& [source, target, cost, cycle_error, use] = pair;
+  return py::make_tuple(source, target, cost, cycle_error, static_cast<int>(use));
+}
+
+GroupPair to_pair(const py::handle& state) {
+  const auto [source, target, cost, cycle_error, use] =
+      state.cast<std::tuple<int, int, double, double, int>>();
+  check(use >= 0 && use <= static_cast<int>(PairUse::kComposed));
+  return {source, target, cost, cycle_error, static_cast<PairUse>(use)};
+}
+
+py::tuple to_state(const GroupResult& result) {
+  const auto& [template_shape, members, pairs, times] = result;
+  py::list member_states, pair_states;
+  for (const GroupMember& member : members) member_states.append(to_state(member));
+  for (const GroupPair& pair : pairs) pair_states.append(to_state(pair));
+  return py::make_tuple(template_shape, member_states, pair_states, to_state(times));
+}
+
+GroupResult to_group_result(const py::tuple& state) {
+  check(state.size() == 4);
+  GroupResult result;
+  result.template_shape = state[0].cast<int>();
+  for (const py::handle member : state[1])
+    result.members.push_back(to_member(member.cast<py::tuple>()));
+  for (const py::handle pair : state[2]) result.pairs.push_back(to_pair(pair));
+  result.times = to_times(state[3]);
+  return result;
+}
+
+void check_group(const GroupMatch& group) {
+  const auto& [collection, result] = std::tie(group.run.collection, group.run.result);
+  const auto in_range = [](int k, std::size_t size) { return k >= 0 && std::cmp_less(k, size); };
+  const std::size_t count = collection.shapes.size();
+  check(collection.names.size() == count && result.members.size() == count &&
+        in_range(result.template_shape, count));
+  const std::size_t vertices = group.run.template_mesh().vertices.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto& [from_template, to_template, registered, spread, fit] = result.members[k];
+    check_map(from_template, static_cast<int>(vertices), collection.shapes[k].mesh().num_faces());
+    check_map(to_template, collection.shapes[k].num_vertices(),
+              group.run.template_mesh().num_faces());
+    check((registered.empty() || registered.size() == vertices) && spread.size() == vertices);
+  }
+  for (const GroupPair& pair : result.pairs)
+    check(in_range(pair.source, count) && in_range(pair.target, count));
+  for (const int v : group.vertices) check(in_range(v, vertices));
+}
+
 }  // namespace
+
+GroupMatch to_group(const GroupShapes& shapes, std::vector<std::string> names) {
+  GroupMatch group;
+  for (const auto& input : shapes) {
+    group.run.collection.shapes.push_back(input->shape);
+    group.run.collection.paths.push_back(input->path);
+  }
+  group.run.collection.names = std::move(names);
+  return group;
+}
+
+GroupMatch to_group(const GroupShapes& shapes, std::vector<std::string> names,
+                    const py::tuple& state) {
+  check(state.size() == 3);
+  GroupMatch group = to_group(shapes, std::move(names));
+  group.run.options = results::Json::parse(state[0].cast<std::string>());
+  group.run.result = to_group_result(state[1].cast<py::tuple>());
+  group.vertices = integers(state[2]);
+  check_group(group);
+  return group;
+}
+
+py::tuple to_state(const GroupMatch& group) {
+  return py::make_tuple(group.run.options.dump(), to_state(group.run.result),
+                        adopt(std::vector(group.vertices)));
+}
 
 py::tuple to_state(const TrackedMatch& match) {
   py::list fits;
-  for (const Fit& fit : match.fits) fits.append(results::to_json(fit).dump());
+  for (const Fit& fit : match.fits) fits.append(to_text(fit));
   return py::make_tuple(match.options.dump(), to_state(match.result), fits, match.has_inverse);
 }
 
 py::tuple to_state(const results::PaperRun& run) {
   return py::make_tuple(run.options.dump(), to_state(run.result), run.max_geodesics,
-                        results::to_json(run.fit).dump());
+                        to_text(run.fit));
 }
 
 TrackedMatch to_tracked(const MatchInput& source, const MatchInput& target,

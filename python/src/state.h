@@ -4,8 +4,13 @@
 
 #include <pybind11/pybind11.h>
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "results/folder/paper_output.h"
 #include "results/folder/tracked_output.h"
+#include "results/group/group_run.h"
 #include "shapes.h"
 
 /// What makes a match anew: plain values and arrays for pickle, without the meshes.
@@ -18,8 +23,21 @@ struct TrackedMatch : results::TrackedRun {
   bool has_inverse = true;
 };
 
+/// A collection that was matched, and which vertices of its template are the points that are
+/// wanted. `run.words` and paths stay empty until it is saved.
+struct GroupMatch {
+  results::GroupRun run;
+  std::vector<int> vertices;
+};
+
+using GroupShapes = std::vector<std::shared_ptr<MatchInput>>;
+
+/// One that is not matched yet.
+GroupMatch to_group(const GroupShapes& shapes, std::vector<std::string> names);
+
 pybind11::tuple to_state(const TrackedMatch& match);
 pybind11::tuple to_state(const results::PaperRun& run);
+pybind11::tuple to_state(const GroupMatch& group);
 
 /// The match between the same meshes of which `state` was made. Throws `InvalidInput` if it does
 /// not fit them.
@@ -27,5 +45,7 @@ TrackedMatch to_tracked(const MatchInput& source, const MatchInput& target,
                         const pybind11::tuple& state);
 results::PaperRun to_paper(const MatchInput& source, const MatchInput& target,
                            const pybind11::tuple& state);
+GroupMatch to_group(const GroupShapes& shapes, std::vector<std::string> names,
+                    const pybind11::tuple& state);
 
 }  // namespace isomatch::python
