@@ -55,13 +55,14 @@ class Group:
     template_vertices: np.ndarray
     #: (M, 3) the template's faces by numbers of points; those all of whose corners are points.
     template_faces: np.ndarray
-    #: (N, P, 3) the points on the surface of each shape, in the coordinates of its file; NaN where
-    #: it has no counterpart.
+    #: (N, P, 3) the points, in the coordinates of each file; NaN where a shape has no counterpart.
+    #: Close to the surfaces, and triangles between them do not fold; `from_template` leads to the
+    #: surfaces themselves.
     points: np.ndarray
     #: (N, P) booleans: whether it has one.
     present: np.ndarray
-    #: (N, P, 3) the same without folds, off the surface by a little, and complete: what has no
-    #: counterpart moves as what is around it. NaN of a shape that is not matched at all.
+    #: (N, P, 3) the same and complete: what has no counterpart moves as what is around it. NaN of a
+    #: shape that is not matched at all.
     registered_points: np.ndarray
     #: (N, P) how far apart the pairs of a shape say that a point lies: root mean square distance
     #: over sqrt(area) of the shape, NaN where it has no counterpart.

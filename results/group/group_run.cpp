@@ -117,13 +117,12 @@ CorrespondingPoints points_of(const GroupRun& run, const std::vector<int>& templ
   CorrespondingPoints result;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < run.collection.shapes.size(); ++k) {
-    const Mesh& mesh = run.collection.shapes[k].mesh();
+    const GroupMember& member = run.result.members[k];
     std::vector<Point>& points = result.points.emplace_back();
     std::vector<bool>& present = result.present.emplace_back();
     for (const int v : template_vertices) {
-      const SurfacePoint& point = run.result.members[k].from_template[v];
-      present.push_back(point.face != kNoFace);
-      points.push_back(present.back() ? position(mesh, point) : Point(nan, nan, nan));
+      present.push_back(member.from_template[v].face != kNoFace);
+      points.push_back(present.back() ? member.registered[v] : Point(nan, nan, nan));
     }
   }
   return result;
