@@ -3,15 +3,9 @@
 """`python -m isomatch`, and the command `isomatch` that pip installs: the command line program."""
 
 import os
-import shutil
 import sys
-from pathlib import Path
 
-
-def find_program():
-    beside = Path(__file__).with_name("bin") / "isomatch"
-    # Debian's packages have it apart.
-    return str(beside) if beside.exists() else shutil.which("isomatch")
+from isomatch._program import find_program
 
 
 def main():

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import NamedTuple, Optional, Tuple
 
 from . import _core
-from .__main__ import find_program
+from ._program import find_program
 
 #: How soon Ctrl-C, the end and a line of the log are noticed.
 _POLL_SECONDS = 0.05

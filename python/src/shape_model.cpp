@@ -38,7 +38,7 @@ CorrespondingPoints to_corresponding(const Doubles& points, const Booleans& pres
 }
 
 /// (rows, columns), or, of points, (rows, columns / 3, 3).
-py::array_t<double> to_array(const Eigen::MatrixXd& matrix, bool of_points) {
+py::array_t<double> rows_of(const Eigen::MatrixXd& matrix, bool of_points) {
   std::vector<double> values;
   values.reserve(matrix.size());
   for (Eigen::Index row = 0; row < matrix.rows(); ++row)
@@ -49,7 +49,7 @@ py::array_t<double> to_array(const Eigen::MatrixXd& matrix, bool of_points) {
 }
 
 /// (N, 4, 4) matrices of homogeneous coordinates.
-py::array_t<double> to_array(const std::vector<Similarity>& alignments) {
+py::array_t<double> matrices_of(const std::vector<Similarity>& alignments) {
   std::vector<double> values;
   for (const auto& [scale, rotation, translation] : alignments) {
     Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix =
@@ -80,12 +80,12 @@ py::dict model_of(const Doubles& points, const Booleans& present, bool keep_size
   });
   py::dict result;
   result["completed"] = completed(shapes, model);
-  result["mean"] = python::to_array(std::move(model.mean));
-  result["modes"] = to_array(model.modes, true);
+  result["mean"] = to_array(std::move(model.mean));
+  result["modes"] = rows_of(model.modes, true);
   result["variances"] = adopt(std::vector<double>(model.variances.begin(), model.variances.end()));
-  result["scores"] = to_array(model.scores, false);
-  result["aligned"] = to_array(model.aligned, true);
-  result["alignments"] = to_array(model.alignments);
+  result["scores"] = rows_of(model.scores, false);
+  result["aligned"] = rows_of(model.aligned, true);
+  result["alignments"] = matrices_of(model.alignments);
   result["compactness"] = adopt(std::move(quality.compactness));
   result["generalisation"] = adopt(std::move(quality.generalisation));
   result["specificity"] = adopt(std::move(quality.specificity));

@@ -12,7 +12,7 @@
 #include "group/pairs.h"
 #include "group/places.h"
 #include "group/shape_pool.h"
-#include "isomatch/carry/transfer.h"
+#include "group/template_map.h"
 #include "isomatch/error.h"
 #include "parallel.h"
 #include "shape/boundary.h"
@@ -175,6 +175,18 @@ class Group {
     return to_input(surface, surface, on_surfaces(surface, surface, map));
   }
 
+  SurfaceMap to_template(const GroupMember& member, int shape, const Context& context) const {
+    const Surface& from = *surfaces_[template_];
+    const Surface& onto = *surfaces_[shape];
+    std::vector<Point> registered;
+    for (const int v : from.input_vertex)
+      registered.push_back((member.registered[v] - onto.centre) / onto.scale);
+    return to_input(
+        onto, from,
+        SurfacePoints(map_to_template(from, onto, registered,
+                                      *on_surfaces(from, onto, member.from_template), context)));
+  }
+
   GroupMember member(const MapGraph& maps, int shape, const Context& context) {
     if (shape == template_) return template_member();
     if (!is_placed(shape)) return unmatched_member(shape);
@@ -186,8 +198,8 @@ class Group {
     GroupMember member;
     member.fit = judge_fit(source, target, map.source_to_target, fit, context);
     member.from_template = std::move(map.source_to_target);
-    member.to_template = std::move(map.target_to_source);
     member.registered = std::move(map.registered);
+    member.to_template = to_template(member, shape, context);
     member.spread = at_input(*surfaces_[template_], maps.spread(places_, shape), 0.0F);
     return member;
   }
@@ -241,12 +253,6 @@ GroupResult match_group(std::span<const Shape> shapes, const GroupOptions& optio
                         const Context& context) {
   options.validate(static_cast<int>(shapes.size()));
   return Group(shapes, options, context).run();
-}
-
-SurfaceMap member_map(std::span<const Shape> shapes, const GroupResult& group, int source,
-                      int target) {
-  return transfer_points(shapes[group.template_shape].mesh(), shapes[target].mesh(),
-                         group.members[target].from_template, group.members[source].to_template);
 }
 
 }  // namespace isomatch

@@ -33,7 +33,7 @@ struct ShapeModelOptions {
 struct Similarity {
   double scale = 1;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Point translation = Point::Zero();
+  Point translation{0, 0, 0};
 
   Point apply(const Point& x) const { return scale * (rotation * x) + translation; }
   Point undo(const Point& y) const { return rotation.transpose() * (y - translation) / scale; }
