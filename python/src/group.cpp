@@ -76,7 +76,7 @@ py::array_t<Scalar> of_points(const GroupMatch& group, int columns, const Value&
 }
 
 /// (N, P, 3) points, not numbers where they are missing.
-py::array_t<double> points(const GroupMatch& group) {
+py::array_t<double> points_with_gaps(const GroupMatch& group) {
   std::vector<Point> all;
   for (std::vector<Point>& points : results::points_of(group.run, group.vertices).points)
     all.insert(all.end(), points.begin(), points.end());
@@ -245,7 +245,7 @@ void bind_group(py::module_& module) {
           [](const GroupMatch& group) {
             return to_array(results::faces_between(group.run.template_mesh(), group.vertices));
           })
-      .def_property_readonly("points", points)
+      .def_property_readonly("points", points_with_gaps)
       .def_property_readonly("registered", registered)
       .def_property_readonly("spread", spread)
       .def("fit", [](const GroupMatch& group,
