@@ -50,8 +50,9 @@ struct SavedGroup {
   bool all_maps = false, page = false;
 };
 
-GroupMatch match(const GroupShapes& shapes, std::vector<std::string> names,
-                 const GroupWanted& wanted, const py::dict& keywords, const RunOptions& how) {
+GroupMatch match_shapes(const GroupShapes& shapes, std::vector<std::string> names,
+                        const GroupWanted& wanted, const py::dict& keywords,
+                        const RunOptions& how) {
   GroupOptions options{to_options<TrackedOptions>(keywords), wanted.template_shape,
                        wanted.neighbours, wanted.memory};
   results::check_shape_names(names);
@@ -92,7 +93,7 @@ py::array_t<double> registered(const GroupMatch& group) {
   });
 }
 
-py::array_t<float> spread(const GroupMatch& group) {
+py::array_t<float> spread_of_points(const GroupMatch& group) {
   return of_points<float>(group, 1,
                           [](const GroupMember& member, int v) { return member.spread[v]; });
 }
@@ -189,7 +190,7 @@ std::vector<std::string> words_of(const GroupMatch& group, const SavedGroup& sav
   return words;
 }
 
-void save(GroupMatch& group, const SavedGroup& saved, const RunOptions& how) {
+void save_group(GroupMatch& group, const SavedGroup& saved, const RunOptions& how) {
   group.run.options["modes"] = saved.model.modes;
   group.run.options["keep-size"] = saved.model.keep_size;
   group.run.all_maps = saved.all_maps;
@@ -247,7 +248,7 @@ void bind_group(py::module_& module) {
           })
       .def_property_readonly("points", points_with_gaps)
       .def_property_readonly("registered", registered)
-      .def_property_readonly("spread", spread)
+      .def_property_readonly("spread", spread_of_points)
       .def("fit", [](const GroupMatch& group,
                      int k) { return to_dict(group.run.result.members.at(k).fit); })
       .def_property_readonly("pairs", pairs)
@@ -260,11 +261,11 @@ void bind_group(py::module_& module) {
       .def("from_template", from_template)
       .def("to_template", to_template)
       .def("check_save", check_saving)
-      .def("save", save)
+      .def("save", save_group)
       .def("page", page)
       .def_property_readonly("state", [](const GroupMatch& group) { return to_state(group); });
   module.def("check_shape_names", results::check_shape_names);
-  module.def("match_group", match);
+  module.def("match_group", match_shapes);
   module.def("group_of_state",
              [](const GroupShapes& shapes, std::vector<std::string> names, const py::tuple& state) {
                return to_group(shapes, std::move(names), state);
