@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,6 +14,7 @@
 #include "group_fixture.h"
 #include "isomatch/carry/transfer.h"
 #include "isomatch/mesh/topology.h"
+#include "isomatch/shape/shape.h"
 #include "program.h"
 #include "support/mesh_files.h"
 #include "support/temporary_folder.h"
@@ -54,7 +56,7 @@ TEST_F(Group, MapsComposeThroughTheTemplate) {
   EXPECT_LT(mean_error(source, target, map), kNear);
 }
 
-TEST_F(Group, MeshesHaveTheFacesOfTheTemplateAndThePointsOfTheShapes) {
+TEST_F(Group, MeshesHaveTheFacesOfTheTemplateAndLieOnTheShapes) {
   const Mesh source = creature("a").mesh;
   for (const char* name : {"a", "b", "mean"}) {
     const std::string file = name == std::string("mean") ? "mean.ply" : mesh_file(name);
@@ -62,8 +64,10 @@ TEST_F(Group, MeshesHaveTheFacesOfTheTemplateAndThePointsOfTheShapes) {
   }
   const Mesh target = creature("b").mesh, points = read_mesh(whole(mesh_file("b")));
   const SurfaceMap map = read_map(whole(from_template("b"))).points;
+  double off = 0;
   for (int v = 0; v < points.num_vertices(); ++v)
-    EXPECT_LT((points.vertices[v] - position(target, map[v])).norm(), 1e-5) << v;
+    off += (points.vertices[v] - position(target, map[v])).norm();
+  EXPECT_LT(off / points.num_vertices(), 0.003 * std::sqrt(Shape(target).area()));
 }
 
 /// What was cut off, and nothing else, is missing.
