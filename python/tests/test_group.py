@@ -79,6 +79,11 @@ def test_all_have_the_same_points(group, creatures):
     assert group.warnings == [] and group.seconds
 
 
+def off_surface(points, nearest, shape):
+    """Mean distance of registered points from the surface."""
+    return np.linalg.norm(points - nearest, axis=1).mean() / root_area(shape)
+
+
 def test_every_map_is_right(group, creatures):
     for a, source in enumerate(creatures):
         for b, target in enumerate(creatures):
@@ -100,7 +105,7 @@ def test_maps_around_a_cycle_lead_back(group, creatures):
 def test_maps_of_the_template_are_those_of_the_points(group, creatures):
     for name, points, shape in zip(NAMES, group.points, creatures):
         out = group.from_template(name)
-        assert np.allclose(landed(out, shape), points)
+        assert off_surface(points, landed(out, shape), shape) < 0.003
         assert out.fit == group.fits[NAMES.index(name)]
         back = group.to_template(name)
         assert np.array_equal(back.source_to_target, out.target_to_source)
@@ -212,7 +217,8 @@ def test_a_model_of_own_points():
 def test_evenly_spread_points(coarse, creatures):
     assert coarse.points.shape == (3, 40, 3)
     everywhere = landed(coarse.from_template(0), creatures[0])
-    assert np.allclose(coarse.points[0], everywhere[coarse.template_vertices])
+    on_surface = everywhere[coarse.template_vertices]
+    assert off_surface(coarse.points[0], on_surface, creatures[0]) < 0.003
     gaps = np.linalg.norm(coarse.points[2][:, None] - coarse.points[2], axis=2)
     assert gaps[gaps > 0].min() > 0.1 * root_area(creatures[2])
 
