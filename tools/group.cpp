@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "program/say.h"
 #include "results/files/outputs.h"
 #include "results/files/parent_folders.h"
+#include "results/folder/inputs.h"
 #include "results/group/collection.h"
 #include "results/group/group_run.h"
 #include "results/group/run_output.h"
@@ -40,16 +42,6 @@ struct GroupCommand {
   double memory_gib = 2;
   bool all_maps = false, report = false, quiet = false;
 };
-
-/// `context` for a part of the work.
-Context part(const Context& context, double begin, double end) {
-  Context result = context;
-  if (context.progress)
-    result.progress = [&context, begin, end](double fraction, std::string_view stage) {
-      context.progress(begin + (end - begin) * fraction, stage);
-    };
-  return result;
-}
 
 /// The file of the shape of that name, or the file itself; empty if none is named.
 std::string template_file(const std::string& name, const std::vector<std::string>& files) {
@@ -105,7 +97,6 @@ void tell(const results::GroupRun& run, const std::string& folder) {
 }
 
 void run_group(const GroupCommand& group, const Context& context) {
-  constexpr double kRead = 0.02, kMatched = 0.93;
   if (group.report) results::check_page_available();
   results::check_folder_name(group.folder);
   const std::vector<std::string> files = results::collected_files(group.places);
@@ -128,11 +119,11 @@ void run_group(const GroupCommand& group, const Context& context) {
   options.template_shape = place_of(template_path, run.collection);
   options.memory = bytes_of_gib(group.memory_gib);
   run.all_maps = group.all_maps;
-  run.result = match_group(run.collection.shapes, options, part(context, kRead, kMatched));
+  run.result = match_group(run.collection.shapes, options, results::matching_part(context));
   const std::size_t unread = run.collection.left_out.size();
   results::leave_out_unmatched(run);
   tell_left_out(run.collection, unread);
-  context.report(kMatched, "model");
+  context.report(results::kMatched, "model");
   const auto output_at = [&](int points) {
     return results::group_output(run, results::spread_vertices(run, points, context), group.model);
   };

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import functools
-import html
 import operator
 import os
 from pathlib import Path
@@ -18,6 +17,7 @@ from ._maps import Points
 from ._match import Fit, Map
 from ._meshes import Shape, as_shape, write_mesh
 from ._options import check_options, takes_options
+from ._page import shown_in_a_notebook, written_or_returned
 from ._progress import shows_progress
 from ._shape_model import ShapeModel, _at_most, shape_model
 from ._types import MeshLike, PathLike, Progress
@@ -219,22 +219,12 @@ class Group:
         given, otherwise returned as a string of HTML. Raises ValueError if isomatch was built
         without the page, and OSError, before any work, if `path` is not named .html, is one of the
         meshes' files or cannot be written."""
-        if path is not None:
-            meshes = [os.fsencode(shape.path or "") for shape in self.shapes]
-            _core.check_page(os.fsencode(path), meshes)
-        page = self._core.page(self.keep_size, _core.RunOptions(None, None))
-        if path is None:
-            return page
-        _core.write_file(os.fsencode(path), page)
+        return written_or_returned(
+            lambda: self._core.page(self.keep_size, _core.RunOptions(None, None)), path, self.shapes
+        )
 
     def _repr_html_(self):
-        if not _core.has_page():
-            return f"<pre>{html.escape(repr(self))}</pre>"
-        page = html.escape(self.report(), quote=True)
-        return (
-            f'<iframe srcdoc="{page}" title="isomatch group" '
-            'style="width: 100%; height: 640px; border: 0"></iframe>'
-        )
+        return shown_in_a_notebook(self, "isomatch group")
 
 
 def _cores(shapes):

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import functools
-import html
 import os
 import tempfile
 from typing import Any, Dict, List, NamedTuple, Optional, Union
@@ -16,6 +15,7 @@ from . import _core
 from ._maps import Points
 from ._meshes import Shape, write_mesh
 from ._options import takes_options
+from ._page import shown_in_a_notebook, written_or_returned
 from ._stages import Distortion, evaluate, isometric_distortion
 from ._transfer import Transfer
 from ._types import Method, PathLike, Progress, TrueMapLike, TruthLike
@@ -338,25 +338,16 @@ class Match(Map):
         given, otherwise returned as a string of HTML. Raises ValueError if isomatch was built
         without the page, and OSError, before any work, if `path` is not named .html, is one of the
         meshes' files or cannot be written."""
-        if path is not None:
-            meshes = [os.fsencode(mesh.path or "") for mesh in (self.source, self.target)]
-            _core.check_page(os.fsencode(path), meshes)
+        return written_or_returned(self._page, path, (self.source, self.target))
+
+    def _page(self):
         with tempfile.TemporaryDirectory() as folder:
             self.save(folder, report=True)
             with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
-                page = file.read()
-        if path is None:
-            return page
-        _core.write_file(os.fsencode(path), page)
+                return file.read()
 
     def _repr_html_(self):
-        if not _core.has_page():
-            return f"<pre>{html.escape(repr(self))}</pre>"
-        page = html.escape(self.report(), quote=True)
-        return (
-            f'<iframe srcdoc="{page}" title="isomatch report" '
-            'style="width: 100%; height: 640px; border: 0"></iframe>'
-        )
+        return shown_in_a_notebook(self, "isomatch report")
 
     def __repr__(self):
         return f"<isomatch.Match by the {self.method} method: {self._described()}>"

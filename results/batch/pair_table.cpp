@@ -4,24 +4,13 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "isomatch/io/atomic_file.h"
 #include "results/batch/batch.h"
+#include "results/csv.h"
 
 namespace isomatch::results {
 namespace {
-
-/// As CSV has it (RFC 4180).
-std::string field(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
 
 /// Empty where there is none.
 std::string figure(const std::optional<double>& value) {
@@ -31,19 +20,19 @@ std::string figure(const std::optional<double>& value) {
 std::string line(const PairOutcome& outcome) {
   const ListedPair& pair = outcome.pair;
   const std::string names =
-      fmt::format("{},{},{}", field(pair.name), field(pair.source), field(pair.target));
+      fmt::format("{},{},{}", csv_field(pair.name), csv_field(pair.source), csv_field(pair.target));
   if (!outcome.matched()) {
     constexpr int kColumnsOfMaps = 13;
     return fmt::format("{},failed,{}{}\n", names, std::string(kColumnsOfMaps, ','),
-                       field(outcome.error));
+                       csv_field(outcome.error));
   }
   const PairSummary& summary = outcome.summary;
   return fmt::format("{},matched,{},{},{},{:.6g},{:.6g},{:.6g},{},{},{},{},{},{:.3f},{:.1f},\n",
                      names, summary.grade, summary.matched_vertices, summary.unmatched_vertices,
                      summary.stretch, summary.unreached, summary.ambiguity,
                      figure(summary.mean_confidence), summary.mirrored ? 1 : 0,
-                     figure(summary.point_error), field(summary.reasons), field(summary.warnings),
-                     summary.seconds, summary.peak_memory_mib);
+                     figure(summary.point_error), csv_field(summary.reasons),
+                     csv_field(summary.warnings), summary.seconds, summary.peak_memory_mib);
 }
 
 }  // namespace

@@ -11,14 +11,6 @@
 namespace isomatch::results {
 namespace {
 
-/// What a shape takes that was matched, rather more than less: docs/results/batch_memory.md has
-/// what it was for shapes of 5,000 to 100,000 vertices.
-std::uint64_t bytes_of(const Mesh& mesh) {
-  // Simplified copies and what is computed on them; then meshes, topology and a geodesic graph.
-  constexpr std::uint64_t kCopies = 25'000'000, kVertex = 900;
-  return kCopies + kVertex * mesh.vertices.size();
-}
-
 std::string key_of(const std::string& path) {
   std::error_code error;
   const std::filesystem::path real = std::filesystem::canonical(path, error);
@@ -35,7 +27,7 @@ MatchInput ShapeStore::get(const std::string& path) {
     Mesh mesh = read_mesh(path, &report);
     Shape shape = shape_of(path, std::move(mesh));
     entry->input = std::make_shared<const MatchInput>(path, std::move(report), std::move(shape));
-    account(entry, bytes_of(entry->input->mesh()));
+    account(entry, kept_bytes(entry->input->mesh().num_vertices()));
   }
   MatchInput input = *entry->input;
   input.path = path;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 
+#include "geometry/carried_point.h"
 #include "geometry/walk.h"
 #include "geometry/weld.h"
 #include "isomatch/carry/transfer.h"
@@ -30,18 +31,13 @@ SurfaceMap transfer_points(const Mesh& source, const Mesh& target,
     if (point.face == kNoFace) return {};
     if (point.face < 0 || point.face >= source.num_faces())
       throw InvalidInput("a point lies on a face that the source does not have");
-    const Face& face = source.faces[point.face];
-    if (const int k = only_corner(point); k >= 0) return source_to_target[face[k]];
-    Point mean(0, 0, 0);
-    std::vector<int> starts;
-    for (int k = 0; k < 3; ++k) {
-      if (point.weights[k] == 0) continue;
-      const SurfacePoint& image = source_to_target[face[k]];
-      if (image.face == kNoFace) return {};
-      mean += point.weights[k] * position(target, image);
-      starts.push_back(image.face);
-    }
-    return walk_to_point(welded.mesh, around, starts, mean);
+    if (const int k = only_corner(point); k >= 0)
+      return source_to_target[source.faces[point.face][k]];
+    const CarriedPoint mean = carried_point(source, source_to_target, point, [&](int vertex) {
+      return position(target, source_to_target[vertex]);
+    });
+    if (!mean.exists()) return {};
+    return walk_to_point(welded.mesh, around, mean.faces, mean.position);
   };
   SurfaceMap result;
   result.reserve(points.size());

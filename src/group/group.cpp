@@ -20,6 +20,7 @@
 #include "shape/prepared_shape.h"
 #include "steps.h"
 #include "tracked/match.h"
+#include "tracked/options.h"
 
 namespace isomatch {
 namespace {
@@ -77,8 +78,7 @@ class Group {
 
   /// Whether something of a shape may be missing, as far as its boundary tells.
   bool is_part(int shape) const {
-    constexpr double kLong = 0.5;  // Over sqrt(area), as in the tracked method.
-    return boundary_length(surfaces_[shape]->mesh) > kLong;
+    return boundary_length(surfaces_[shape]->mesh) > tracked::PartialOptions().open_boundary;
   }
 
   /// None that lacks something, unless all do, and none that is far simpler than most: its vertices

@@ -3,12 +3,12 @@
 #include "group/places.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
 #include <utility>
 
+#include "geometry/carried_point.h"
 #include "geometry/walk.h"
 #include "isomatch/mesh/topology.h"
 #include "parallel.h"
@@ -16,46 +16,25 @@
 namespace isomatch::group {
 namespace {
 
-/// Where a map leads a point of its source: a position, and faces near it.
-struct Image {
-  Point position{0, 0, 0};
-  std::array<int, 3> faces{kNoFace, kNoFace, kNoFace};
-
-  bool exists() const { return faces[0] != kNoFace; }
-};
-
-Image image_of(const Mesh& from, const Mesh& onto, const SurfaceMap& map,
-               const SurfacePoint& point) {
-  Image image;
-  if (point.face == kNoFace) return image;
-  int count = 0;
-  for (int k = 0; k < 3; ++k) {
-    if (point.weights[k] == 0) continue;
-    const SurfacePoint& corner = map[from.faces[point.face][k]];
-    if (corner.face == kNoFace) return {};
-    image.position += point.weights[k] * position(onto, corner);
-    image.faces[count++] = corner.face;
-  }
-  for (; count < 3; ++count) image.faces[count] = image.faces[0];
-  return image;
+CarriedPoint image_of(const Mesh& from, const Mesh& onto, const SurfaceMap& map,
+                      const SurfacePoint& point) {
+  return carried_point(from, map, point, [&](int vertex) { return position(onto, map[vertex]); });
 }
 
-SurfacePoint on_surface(const Surface& surface, const Image& image, const Point& position) {
+SurfacePoint on_surface(const Surface& surface, const CarriedPoint& image, const Point& position) {
   return walk_to_point(surface.mesh, surface.faces, image.faces, position);
 }
 
 }  // namespace
 
-/// What a map says of a place.
-struct MapGraph::Said {
-  Image image;
+struct Said {
+  CarriedPoint image;
   double weight;
 };
 
 namespace {
 
 /// The image with the least weighted sum of distances to the others.
-template <class Said>
 const Said& medoid(const std::vector<Said>& said) {
   const Said* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -71,7 +50,6 @@ const Said& medoid(const std::vector<Said>& said) {
 }
 
 /// Weiszfeld's algorithm, from the medoid on.
-template <class Said>
 Point geometric_median(const std::vector<Said>& said, Point median) {
   // Images that are nearer than maps are exact count alike; a few steps come that near.
   constexpr double kExact = 0.003;
@@ -100,7 +78,7 @@ Places MapGraph::carried(const Places& places, int from, int onto, const Surface
   Places result;
   result.reserve(places.size());
   for (const SurfacePoint& place : places) {
-    const Image image = image_of(surfaces_[from]->mesh, surfaces_[onto]->mesh, map, place);
+    const CarriedPoint image = image_of(surfaces_[from]->mesh, surfaces_[onto]->mesh, map, place);
     result.push_back(image.exists() ? on_surface(*surfaces_[onto], image, image.position)
                                     : SurfacePoint());
   }
@@ -134,14 +112,14 @@ std::vector<Places> MapGraph::followed_from(int template_shape) const {
   return places;
 }
 
-std::vector<MapGraph::Said> MapGraph::said_of(const std::vector<Places>& places, int shape,
-                                              int point) const {
+std::vector<Said> MapGraph::said_of(const std::vector<Places>& places, int shape, int point) const {
   std::vector<Said> said;
   double missing = 0, there = 0;
   for (const WeightedMap& map : onto_[shape]) {
     const SurfacePoint& place = places[map.from][point];
     if (place.face == kNoFace) continue;
-    Image image = image_of(surfaces_[map.from]->mesh, surfaces_[shape]->mesh, *map.map, place);
+    const CarriedPoint image =
+        image_of(surfaces_[map.from]->mesh, surfaces_[shape]->mesh, *map.map, place);
     (image.exists() ? there : missing) += map.weight;
     if (image.exists()) said.push_back({image, map.weight});
   }
@@ -194,7 +172,7 @@ double MapGraph::disagreement(const std::vector<Places>& places, int from, int o
   int count = 0;
   for (std::size_t p = 0; p < places[from].size(); ++p) {
     if (places[onto][p].face == kNoFace) continue;
-    const Image image =
+    const CarriedPoint image =
         image_of(surfaces_[from]->mesh, surfaces_[onto]->mesh, map, places[from][p]);
     if (!image.exists()) continue;
     sum += (image.position - position(surfaces_[onto]->mesh, places[onto][p])).norm();

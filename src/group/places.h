@@ -21,6 +21,9 @@ struct WeightedMap {
   double weight;
 };
 
+/// What a map says of a place.
+struct Said;
+
 /// The maps of a group, by the shape that they lead to.
 class MapGraph {
  public:
@@ -45,8 +48,6 @@ class MapGraph {
                       const SurfaceMap& map) const;
 
  private:
-  struct Said;
-
   Places carried(const Places& places, int from, int onto, const SurfaceMap& map) const;
   Places agreed(const std::vector<Places>& places, int shape) const;
   std::vector<Said> said_of(const std::vector<Places>& places, int shape, int point) const;

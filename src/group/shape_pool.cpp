@@ -5,21 +5,11 @@
 #include <algorithm>
 
 namespace isomatch::group {
-namespace {
-
-/// What matching keeps with a shape, about (bench/tables/batch_memory.py).
-std::uint64_t bytes_of(const Shape& shape) {
-  constexpr std::uint64_t kCopies = 25'000'000, kVertex = 900;
-  return kCopies + kVertex * static_cast<std::uint64_t>(shape.num_vertices());
-}
-
-}  // namespace
-
 ShapePool::ShapePool(std::span<const Shape> shapes, std::uint64_t bytes) : shapes_(shapes) {
   std::uint64_t largest = 1, all = 0;
   for (const Shape& shape : shapes) {
-    largest = std::max(largest, bytes_of(shape));
-    all += bytes_of(shape);
+    largest = std::max(largest, kept_bytes(shape.num_vertices()));
+    all += kept_bytes(shape.num_vertices());
   }
   most_ = all <= bytes ? shapes.size() : std::max<std::size_t>(2, bytes / largest);
 }

@@ -34,4 +34,10 @@ double Shape::max_geodesic(const Context& context) const {
   return prepared_->surface()->scale * prepared_->metric(context).max_geodesic();
 }
 
+std::uint64_t kept_bytes(int num_vertices) {
+  // Simplified copies and what is computed on them; then meshes, topology and a geodesic graph.
+  constexpr std::uint64_t kCopies = 25'000'000, kVertex = 900;
+  return kCopies + kVertex * static_cast<std::uint64_t>(num_vertices);
+}
+
 }  // namespace isomatch

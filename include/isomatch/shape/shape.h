@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The isomatch authors
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -59,5 +60,9 @@ class Shape {
  private:
   std::shared_ptr<const PreparedShape> prepared_;
 };
+
+/// What matching keeps with a shape of so many vertices, about and rather more than less, in bytes:
+/// docs/results/batch_memory.md has what it was for shapes of 5,000 to 100,000 vertices.
+std::uint64_t kept_bytes(int num_vertices);
 
 }  // namespace isomatch
