@@ -41,9 +41,13 @@ compare alone matched
 matched_once matched pairs.csv 1
 echo "$(wc -l <pairs.csv) pairs in 4 shares, of which one was killed: the same files"
 
-# Several machines, of which each is this one.
+# Several machines, of which each is this one. Their home, from where ssh starts and parallel reckons
+# folders, is not the user's, who may have none.
+export HOME=$work/home SHELL=/bin/bash
+mkdir "$HOME"
 cat >ssh <<'EOF'
 #!/bin/bash
+cd "$HOME" || exit
 while [[ $1 = -* ]]; do shift; done
 shift
 [ "$1" != -- ] || shift
