@@ -11,6 +11,8 @@ import isomatch
 from isomatch import _core
 
 NAMES = ["sitting", "running", "lying", "jumping", "standing"]
+#: Options that make matches quick.
+QUICK = {"refinement": False, "elastic_judging": False}
 
 
 @pytest.fixture(scope="module")
@@ -35,9 +37,7 @@ def three_files(creatures, tmp_path_factory):
 @pytest.fixture(scope="module")
 def coarse(three_files):
     """Quickly matched, with few points."""
-    return isomatch.group(
-        three_files, points=40, template="lying", keep_size=True, refinement=False
-    )
+    return isomatch.group(three_files, points=40, template="lying", keep_size=True, **QUICK)
 
 
 @pytest.fixture(scope="module")
@@ -131,9 +131,9 @@ def test_neither_names_nor_forms_of_shapes_change_anything(coarse, creatures):
         [creatures[0], ready, (creatures[2].vertices, creatures[2].faces)],
         points=40,
         template=2,
-        refinement=False,
         threads=1,
         progress=lambda fraction, stage: seen.append(fraction),
+        **QUICK,
     )
     assert other.names == ["shape0", "shape1", "shape2"] and other.shapes[1] is ready
     assert coarse.names == NAMES[:3] and other.template == coarse.template == 2
@@ -237,7 +237,8 @@ def test_saves_what_the_program_writes(coarse, three_files, program, tmp_path):
     for _ in range(2):
         coarse.save(tmp_path / "ours", all_maps=True, report=bool(report))
     program("group", *three_files, "-o", tmp_path / "theirs", "--template", "lying",
-            "--keep-size", "--points", 40, "--no-refinement", "--all-maps", *report)
+            "--keep-size", "--points", 40, "--no-refinement", "--no-elastic-judging", "--all-maps",
+            *report)
     command = json.loads((tmp_path / "ours" / "report.json").read_text())["command"]
     place = command.index("-o") + 1
     program(*command[1:place], tmp_path / "again", *command[place + 1:])

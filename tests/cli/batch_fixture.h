@@ -11,21 +11,20 @@
 #include <vector>
 
 #include "isomatch/io/mesh_io.h"
-#include "isomatch/mesh/synth.h"
 #include "program.h"
+#include "support/shapes.h"
 #include "support/temporary_folder.h"
 
 namespace isomatch::test {
 
-/// Three poses of a creature in a folder, and all of their pairs matched, once for all tests.
+/// Three small shapes in a folder, and all of their pairs matched, once for all tests.
 class Batch : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     shared_ = std::make_unique<TemporaryFolder>();
     std::filesystem::create_directories(shared_->path("shapes"));
-    for (int pose = 0; pose < 3; ++pose)
-      write_mesh(shape(std::string(1, static_cast<char>('a' + pose)) + ".off"),
-                 synthesize({.vertices = 1000, .pose = pose, .seed = 3}).mesh);
+    for (int number = 0; number < 3; ++number)
+      write_mesh(shape(std::string(1, static_cast<char>('a' + number)) + ".off"), lump(number));
     whole_ = std::make_unique<Outcome>(
         run({"batch", "--all", shared_->path("shapes"), "-o", shared_->path("whole")}));
   }

@@ -63,6 +63,14 @@ class Group : public testing::Test {
     return run(words, options);
   }
 
+  /// Where it does not matter how good maps are.
+  Outcome quick_group(const std::string& folder, const std::vector<std::string>& shapes,
+                      std::vector<std::string> more = {},
+                      const std::string& template_name = "a") const {
+    more.insert(more.end(), {"--no-refinement", "--no-elastic-judging"});
+    return group(folder, shapes, more, template_name);
+  }
+
   nlohmann::json report(const std::string& folder) const {
     return nlohmann::json::parse(
         read_file(folder == "whole" ? whole("report.json") : path(folder + "/report.json")));

@@ -133,9 +133,9 @@ TEST_F(Group, RunsAgainIntoAFolderWithAPage) {
   folder_.write("out/meshes/mine.txt", "mine");
   const std::vector<std::string> page =
       ISOMATCH_HAS_PAGE ? std::vector<std::string>{"--report"} : std::vector<std::string>{};
-  ASSERT_EQ(group("out", {shape("a"), shape("b")}, page).exit_code, 0);
+  ASSERT_EQ(quick_group("out", {shape("a"), shape("b")}, page).exit_code, 0);
   EXPECT_EQ(fs::exists(path("out/group.html")), ISOMATCH_HAS_PAGE);
-  const Outcome again = group("out", {shape("a"), shape("c")}, {"--points", "50"});
+  const Outcome again = quick_group("out", {shape("a"), shape("c")}, {"--points", "50"});
   ASSERT_EQ(again.exit_code, 0) << again.errors;
   for (const char* old : {"group.html", "particles/b.particles", "meshes/b.ply", "mean.ply"})
     EXPECT_FALSE(fs::exists(path("out") + "/" + old)) << old;
@@ -146,9 +146,9 @@ TEST_F(Group, RunsAgainIntoAFolderWithAPage) {
 
 TEST_F(Group, DoesNotReadItsOwnMeshesFromItsFolder) {
   for (const char* name : {"a", "b"}) fs::copy(shape(name), path(std::string(name) + ".off"));
-  ASSERT_EQ(group("", {path("")}).exit_code, 0);
+  ASSERT_EQ(quick_group("", {path("")}).exit_code, 0);
   const std::string maps = read_file(path(from_template("b")));
-  const Outcome again = group("", {path("")});
+  const Outcome again = quick_group("", {path("")});
   ASSERT_EQ(again.exit_code, 0) << again.errors;
   EXPECT_THAT(again.output, HasSubstr("2 shapes, template a"));
   EXPECT_EQ(read_file(path(from_template("b"))), maps);
@@ -188,7 +188,7 @@ TEST_F(Group, ShapesThatHaveNothingInCommonAreNoGroup) {
 TEST_F(Group, NamesMayHoldWhatFilesMay) {
   const std::string name = "with blank, \"quote\" and \xff";
   fs::copy(shape("a"), path(name + ".off"));
-  const Outcome outcome = group("out", {path(name + ".off"), shape("b")}, {}, name);
+  const Outcome outcome = quick_group("out", {path(name + ".off"), shape("b")}, {}, name);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_TRUE(fs::exists(path("out/meshes/" + name + ".ply")));
   EXPECT_THAT(lines(path("out/pairs.csv"))[1],

@@ -100,6 +100,16 @@ Mesh uv_sphere(int columns, int rows, double radius) {
   return mesh;
 }
 
+Mesh lump(int number) {
+  Mesh mesh = icosphere(2);
+  const Point top = Point(2, 3, 2).normalized();
+  for (Point& p : mesh.vertices) {
+    const double bump = 1 + 0.25 * std::exp(-3 * (p - top).squaredNorm());
+    p = bump * p.cwiseProduct(Point(1 + 0.07 * number, 0.7 - 0.04 * number, 0.4));
+  }
+  return mesh;
+}
+
 Mesh sheet(int columns, int rows, double width, double height) {
   Mesh mesh;
   for (int j = 0; j <= rows; ++j) {
