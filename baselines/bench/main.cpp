@@ -103,6 +103,10 @@ void add_files(CLI::App& app, BenchArguments& arguments) {
                  "Ground truth on the target under the left-right symmetry")
       ->type_name("VTS")
       ->needs(target);
+  app.add_option("--gt-map", pair.truth.map,
+                 "Ground truth as a map of every source vertex, numbered from zero, -1 where the "
+                 "target has no counterpart")
+      ->type_name("FILE");
   app.add_option("-o,--output", arguments.output, "Report in JSON; default standard output")
       ->type_name("FILE");
   app.add_option("--write-maps", arguments.options.map_folder,

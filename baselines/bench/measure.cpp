@@ -53,6 +53,8 @@ Json map_json(const results::Evaluation& evaluation) {
   };
   add_curve("ground_truth", evaluation.truth);
   add_curve("symmetric_ground_truth", evaluation.symmetric_truth);
+  if (const auto& truth = evaluation.true_map)
+    json["ground_truth_map"]["cumulative"] = cumulative(truth->match_errors.over_sqrt_area.errors);
   return json;
 }
 

@@ -5,8 +5,9 @@
 import collections
 import itertools
 import random
+import sys
 
-from common import truth_options
+from common import run, truth_options
 
 TOSCA_KINDS = ("cat", "centaur", "dog", "horse", "wolf")
 
@@ -27,11 +28,26 @@ class Pair(collections.namedtuple("Pair", "folder ending source target")):
         """Options of the programs for the ground truth."""
         return truth_options(self.folder, self.source, self.target)
 
+    def write_exact_map(self, path):
+        """Writes the exact truth as a map; whether the set has one."""
+        if not (self.folder / "exact").is_dir():
+            return False
+        names = [f"{self.folder.name}/{name}" for name in (self.source, self.target)]
+        run([sys.executable, "-B", self.folder.parent / "exact_truth.py", *names, path])
+        return True
+
+    def error_unit(self, target_area):
+        """What errors over sqrt(area) of the target are to be multiplied with."""
+        return 1
+
 
 class AcrossPair(collections.namedtuple("AcrossPair", "source_mesh target_mesh")):
     """Shapes of two classes, between which no truth is known."""
 
     truth = ()
+
+    def error_unit(self, target_area):
+        return 1
 
     @property
     def name(self):

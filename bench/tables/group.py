@@ -1,16 +1,18 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 # SPDX-FileCopyrightText: 2026 The isomatch authors
 """What matching a collection gains over matching its pairs, as a page in docs/results/group.md.
 
-Runs `isomatch group` and `isomatch batch --all` on collections, and `isomatch eval` on the maps of
-both between all ordered pairs. Also measures how far cycles of three shapes are from closing.
+Runs `isomatch group` and `isomatch batch --all` on collections, and measures the maps of both between
+all ordered pairs. Also measures how far cycles of three shapes are from closing. Needs the Python
+package, see docs/python.md.
 Usage: bench/tables/group.py [--sets faust5k,cats,smal5k] [--pairs 100] [--work DIR]
 With --work, batches and groups that are there are used again.
 """
 
 import argparse
 import concurrent.futures
+import functools
 import itertools
 import json
 import os
@@ -20,26 +22,16 @@ import tempfile
 import time
 
 import numpy as np
-from common import (add_common_arguments, add_data_argument, commit, evaluate, machine, mean,
-                    percentile, run, table_head, table_line, truth_options, write_page)
+from common import (add_common_arguments, add_data_argument, commit, machine, mean, percentile, run,
+                    table_head, table_line, write_page)
 from data_sets import shapes
+
+import isomatch
 
 # Folder and beginning of the names.
 SETS = {"faust5k": ("faust5k", ""), "cats": ("tosca5k", "cat"), "smal5k": ("smal5k", "")}
 CLOSED = 0.02  # Of sqrt(area): what a cycle may be off.
 CYCLES = 200
-
-
-def read_mesh(path):
-    words = path.read_text().split()
-    n, m = int(words[1]), int(words[2])
-    vertices = np.array(words[4:4 + 3 * n], float).reshape(n, 3)
-    return vertices, np.array(words[4 + 3 * n:4 + 3 * n + 4 * m], int).reshape(m, 4)[:, 1:]
-
-
-def read_map(path):
-    rows = np.loadtxt(path)
-    return rows[:, 0].astype(int), rows[:, 1:]
 
 
 class Collection:
@@ -60,8 +52,15 @@ class Collection:
                 link.symlink_to(self.data / (name + self.ending))
         self.pairs = list(itertools.permutations(self.names, 2))
 
-    def mesh(self, name):
-        return self.scans / (name + self.ending)
+    @functools.cache
+    def shape(self, name):
+        return isomatch.Shape(self.scans / (name + self.ending))
+
+    def truth(self, source, target):
+        """Lists of corresponding vertices, a third one of the target under its symmetry if known."""
+        lists = [self.data / "corres" / f"{name}.vts" for name in (source, target)]
+        mirrored = lists[1].with_suffix(".sym.vts")
+        return [*lists, mirrored] if mirrored.exists() else lists
 
     def group(self):
         out = self.place / "group"
@@ -74,20 +73,21 @@ class Collection:
         run([self.program, "batch", "--all", self.scans, "-o", out, "--resume", "--quiet"])
         return out
 
-    def result(self, kind, pair):
+    def map(self, kind, pair):
         source, target = pair
         if kind == "group":
-            return self.place / "group" / "maps" / f"{source}__{target}.bary.txt"
-        return self.place / "batch" / f"{source}__{target}" / "source_to_target.bary.txt"
+            return isomatch.read_map(self.place / "group/maps" / f"{source}__{target}.bary.txt")
+        return isomatch.read_map(self.place / "batch" / f"{source}__{target}" /
+                                 "source_to_target.bary.txt")
 
 
 def figures(collection, kind, pairs, jobs):
     """Mean errors of the maps, of points and of vertices, x100 over sqrt(area), and which of the
     maps are flipped."""
     def one(pair):
-        truth = truth_options(collection.data / "", *pair)
-        found = evaluate(collection.program, *map(collection.mesh, pair),
-                         collection.result(kind, pair), truth)
+        # Distortion is not shown.
+        found = isomatch.evaluate(*map(collection.shape, pair), collection.map(kind, pair),
+                                  collection.truth(*pair), threads=1, list_size=1)
         errors = found["ground_truth"]
         return (100 * errors["point_error_over_sqrt_area"]["mean"],
                 100 * errors["error_over_sqrt_area"]["mean"],
@@ -100,22 +100,19 @@ def figures(collection, kind, pairs, jobs):
 def closed_share(collection, kind, generator):
     """The share of the vertices that come back within `CLOSED` after a cycle of three shapes, over
     random cycles."""
-    meshes = {name: read_mesh(collection.mesh(name)) for name in collection.names}
     closed = total = 0
     for _ in range(CYCLES):
         cycle = generator.sample(collection.names, 3)
-        vertices, faces = meshes[cycle[0]]
-        corners = vertices[faces]
-        area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]),
-                              axis=1).sum() / 2
+        vertices = collection.shape(cycle[0]).vertices
         # Positions of the vertices, carried linearly over each triangle.
         there = vertices
         for source, target in ((cycle[2], cycle[0]), (cycle[1], cycle[2]), (cycle[0], cycle[1])):
-            face, weights = read_map(collection.result(kind, (source, target)))
-            image = (there[meshes[target][1][face]] * weights[:, :, None]).sum(1)
-            there = np.where(face[:, None] < 0, np.nan, image)
+            carried = collection.map(kind, (source, target))
+            corners = there[collection.shape(target).faces[carried.triangles]]
+            image = (corners * carried.barycentric[:, :, None]).sum(1)
+            there = np.where(carried.triangles[:, None] < 0, np.nan, image)
         off = np.linalg.norm(there - vertices, axis=1)
-        closed += np.sum(off <= CLOSED * np.sqrt(area))
+        closed += np.sum(off <= CLOSED * np.sqrt(collection.shape(cycle[0]).area))
         total += np.sum(np.isfinite(off))
     return closed / total
 

@@ -100,11 +100,9 @@ class Results:
 def exact_figures(program, pair, result, folder):
     """The mean error of a map from the exact truth, and that of the exact truth from the usual one,
     if the set has an exact truth."""
-    if not (pair.folder / "exact").is_dir():
-        return None, None
     truth = folder / "truth.bary.txt"
-    names = [f"{pair.folder.name}/{name}" for name in (pair.source, pair.target)]
-    run([sys.executable, "-B", pair.folder.parent / "exact_truth.py", *names, truth])
+    if not pair.write_exact_map(truth):
+        return None, None
     found = evaluate(program, *pair.meshes, result, ["--gt-map", truth])["ground_truth_map"]
     perfect = evaluate(program, *pair.meshes, truth, pair.truth)["ground_truth"]
     return (100 * found["point_error_over_sqrt_area"]["mean"],

@@ -75,7 +75,7 @@ void for_each_option(Options& options, const Visitor& visit) {
 template <OptionsOf<PaperOptions> Options, class Visitor>
 void for_each_option(Options& options, const Visitor& visit) {
   auto& [saliency, radii, patches, merging, list_size, coarse_candidates, candidate_levels,
-         max_levels] = options;
+         keep_orientation, max_levels] = options;
   for_each_option(saliency, visit);
   for_each_option(radii, visit);
   for_each_option(patches, visit);
@@ -83,6 +83,8 @@ void for_each_option(Options& options, const Visitor& visit) {
   visit("list_size", list_size, "matches that distortion is measured against (E)");
   visit("coarse_candidates", coarse_candidates, "matchings of level 0 that are carried on");
   visit("candidate_levels", candidate_levels, "level at which the least distorted candidate stays");
+  visit("keep_orientation", keep_orientation,
+        "let a candidate stay that does not exchange left and right");
   visit("max_levels", max_levels, "last level K; earlier if every vertex is matched");
 }
 

@@ -495,6 +495,7 @@ def match(
     list_size: int = 100,
     coarse_candidates: int = 24,
     candidate_levels: int = 4,
+    keep_orientation: bool = False,
     levels: int = 100,
 ) -> Match: ...
 
@@ -557,6 +558,7 @@ def sample_jointly(
     list_size: int = 100,
     coarse_candidates: int = 24,
     candidate_levels: int = 4,
+    keep_orientation: bool = False,
     levels: int = 100,
 ) -> Tuple[np.ndarray, np.ndarray]: ...
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "isomatch/error.h"
+#include "isomatch/measure/metrics.h"
 #include "paper/patch_pairs.h"
 #include "paper/saliency.h"
 #include "shape/numbers.h"
@@ -216,8 +217,23 @@ class Descent {
   std::vector<SampledLevel> sampled_;
 };
 
-void keep_least_distorted(std::vector<Hypothesis>& hypotheses) {
-  std::swap(hypotheses.front(), *std::ranges::min_element(hypotheses, {}, &Hypothesis::distortion));
+/// Where the bases of the last level are matched, in the numbers of the meshes.
+Correspondence matches_of(const Hypothesis& hypothesis, const SampledLevel& level,
+                          const Surface& source, const Surface& target) {
+  const std::vector<int>& image = hypothesis.levels.back().merge.merged.target_of_source;
+  Correspondence between;
+  for (std::size_t s = 0; s < image.size(); ++s)
+    between.push_back({level.source.sampling.bases[s], level.target.sampling.bases[image[s]]});
+  return to_input(source, target, SurfaceMatches(std::move(between)));
+}
+
+/// Keeps the least distorted hypothesis for which `is_right`, or, if it is so of none, the least
+/// distorted one.
+template <class IsRight>
+void keep_least_distorted(std::vector<Hypothesis>& hypotheses, const IsRight& is_right) {
+  std::ranges::stable_sort(hypotheses, {}, &Hypothesis::distortion);
+  const auto right = std::ranges::find_if(hypotheses, is_right);
+  if (right != hypotheses.end()) std::swap(hypotheses.front(), *right);
   hypotheses.resize(1);
 }
 
@@ -311,13 +327,27 @@ PaperResult match_paper(const Shape& source, const Shape& target, const PaperOpt
   Descent descent(from, onto, options, context, times);
   descent.sample_level();
   std::vector<Hypothesis> hypotheses = descent.match_coarsest();
+  const auto keeps_orientation = [&](const Hypothesis& hypothesis) {
+    // As many landmarks vote as decided all of the right and flipped maps tried.
+    constexpr OrientationOptions kFewLandmarks{.landmarks = 100};
+    return map_orientation(source, target,
+                           matches_of(hypothesis, descent.sampled().back(), from.surface(),
+                                      onto.surface()),
+                           kFewLandmarks, context)
+               .verdict == OrientationVerdict::kPreserves;
+  };
+  const auto choose = [&] {
+    keep_least_distorted(hypotheses, [&](const Hypothesis& hypothesis) {
+      return !options.keep_orientation || keeps_orientation(hypothesis);
+    });
+  };
   for (int k = 1; k <= options.max_levels && !descent.complete(); ++k) {
     context.report(descent.progress(), "matching");
     descent.sample_level();
     for (Hypothesis& hypothesis : hypotheses) descent.match_level(hypothesis);
-    if (k == options.candidate_levels) keep_least_distorted(hypotheses);
+    if (k == options.candidate_levels) choose();
   }
-  keep_least_distorted(hypotheses);
+  if (hypotheses.size() > 1) choose();
   PaperResult result = result_of(from, onto, descent.sampled(), std::move(hypotheses.front()));
   result.complete = descent.complete();
   result.times = std::move(times);

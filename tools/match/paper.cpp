@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <concepts>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "match/method.h"
@@ -69,9 +71,11 @@ Method add_paper_method(CLI::App& command, const std::string& group) {
       ->group(group)
       ->capture_default_str();
   for_each_option(paper->options, [&](const char* field, auto& value, const char* help) {
-    command.add_option("--" + results::option_name(field), value, help)
-        ->group(group)
-        ->capture_default_str();
+    const std::string name = "--" + results::option_name(field);
+    if constexpr (std::same_as<decltype(value), bool&>)  // The tracked method has --no-orientation.
+      command.add_flag(name + ",--orientation", value, help)->group(group);
+    else
+      command.add_option(name, value, help)->group(group)->capture_default_str();
   });
   return [paper](const MatchArguments& arguments, const Context& context) {
     return run_paper(arguments, *paper, context);

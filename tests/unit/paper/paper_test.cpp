@@ -19,6 +19,7 @@
 
 #include "isomatch/error.h"
 #include "isomatch/io/mesh_io.h"
+#include "isomatch/measure/metrics.h"
 #include "isomatch/mesh/synth.h"
 #include "paper/saliency.h"
 #include "paper/sampling.h"
@@ -332,6 +333,22 @@ TEST(Paper, ThreadsChangeNothing) {
   EXPECT_EQ(one.source_bases, two.source_bases);
   EXPECT_EQ(one.target_bases, two.target_bases);
   EXPECT_TRUE(std::ranges::equal(one.levels, two.levels, equal));
+}
+
+/// The paper's method turns them over, as its authors say of it.
+TEST(Paper, PairsAreNotTurnedOverIfOrientationIsKept) {
+  for (const std::uint64_t seed : {3, 4}) {
+    const Shape source(creature(1000, 1, seed)), target(creature(1000, 2, seed));
+    const auto verdict = [&](bool orientation) {
+      PaperOptions options;
+      options.max_levels = 5;
+      options.keep_orientation = orientation;
+      const VertexMap map = match_paper(source, target, options).source_to_target;
+      return map_orientation(source, target, to_correspondence(map)).verdict;
+    };
+    EXPECT_EQ(verdict(false), OrientationVerdict::kReverses) << seed;
+    EXPECT_EQ(verdict(true), OrientationVerdict::kPreserves) << seed;
+  }
 }
 
 TEST(Paper, EndsAfterTheLevelsWanted) {
