@@ -18,11 +18,13 @@
 #include "isomatch/mesh/synth.h"
 #include "isomatch/mesh/topology.h"
 #include "program.h"
+#include "support/shapes.h"
 #include "support/temporary_folder.h"
 
 namespace isomatch::test {
 
-/// Four poses of a creature, a part of a fifth one and a bad file, matched once for all tests.
+/// Four poses of a creature, a part of a fifth one and a bad file, matched once for all tests, and
+/// small shapes, which tests match in a moment.
 class Group : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -30,6 +32,9 @@ class Group : public testing::Test {
     std::filesystem::create_directories(shared_->path("shapes"));
     for (const char* name : {"a", "b", "c", "d", "part"})
       write_mesh(shape(name), creature(name).mesh);
+    std::filesystem::create_directories(shared_->path("small"));
+    for (int number = 0; number < 3; ++number)
+      write_mesh(small(std::string(1, static_cast<char>('a' + number))), lump(number));
     shared_->write("shapes/bad.off", "OFF\n3 1 0\n0 0 zero\n");
     whole_ = std::make_unique<Outcome>(
         run({"group", shared_->path("shapes"), "--template", "a", "-o", shared_->path("whole")}));
@@ -43,6 +48,9 @@ class Group : public testing::Test {
 
   static std::string shape(const std::string& name) {
     return shared_->path("shapes/" + name + ".off");
+  }
+  static std::string small(const std::string& name) {
+    return shared_->path("small/" + name + ".off");
   }
   static std::string whole(const std::string& name) { return shared_->path("whole/" + name); }
   std::string path(const std::string& name) const { return folder_.path(name); }
@@ -61,14 +69,6 @@ class Group : public testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     words.insert(words.end(), shapes.begin(), shapes.end());
     return run(words, options);
-  }
-
-  /// Where it does not matter how good maps are.
-  Outcome quick_group(const std::string& folder, const std::vector<std::string>& shapes,
-                      std::vector<std::string> more = {},
-                      const std::string& template_name = "a") const {
-    more.insert(more.end(), {"--no-refinement", "--no-elastic-judging"});
-    return group(folder, shapes, more, template_name);
   }
 
   nlohmann::json report(const std::string& folder) const {
