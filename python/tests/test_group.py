@@ -5,14 +5,13 @@ import pickle
 
 import numpy as np
 import pytest
+from test_batch import QUICK, lump
 from test_match import Manifest, assert_same_bytes
 
 import isomatch
 from isomatch import _core
 
 NAMES = ["sitting", "running", "lying", "jumping", "standing"]
-#: Options that make matches quick.
-QUICK = {"refinement": False, "elastic_judging": False}
 
 
 @pytest.fixture(scope="module")
@@ -26,10 +25,15 @@ def group(creatures):
 
 
 @pytest.fixture(scope="module")
-def three_files(creatures, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("creatures")
+def lumps():
+    return [(vertices, np.array(faces)) for vertices, faces in (lump(k, 10, 12) for k in range(3))]
+
+
+@pytest.fixture(scope="module")
+def three_files(lumps, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("lumps")
     files = [folder / f"{name}.off" for name in NAMES[:3]]
-    for file, shape in zip(files, creatures):
+    for file, shape in zip(files, lumps):
         isomatch.write_mesh(file, shape)
     return files
 
@@ -37,7 +41,7 @@ def three_files(creatures, tmp_path_factory):
 @pytest.fixture(scope="module")
 def coarse(three_files):
     """Quickly matched, with few points."""
-    return isomatch.group(three_files, points=40, template="lying", keep_size=True, **QUICK)
+    return isomatch.group(three_files, points=30, template="lying", keep_size=True, **QUICK)
 
 
 @pytest.fixture(scope="module")
@@ -124,12 +128,12 @@ def test_pairs_are_told(group):
     assert group.cycle_errors.shape == (5,) and group.cycle_errors.max() < 0.1
 
 
-def test_neither_names_nor_forms_of_shapes_change_anything(coarse, creatures):
+def test_neither_names_nor_forms_of_shapes_change_anything(coarse, lumps):
     seen = []
-    ready = isomatch.Shape(creatures[1])
+    ready = isomatch.Shape(lumps[1])
     other = isomatch.group(
-        [creatures[0], ready, (creatures[2].vertices, creatures[2].faces)],
-        points=40,
+        [isomatch.Shape(lumps[0]), ready, lumps[2]],
+        points=30,
         template=2,
         threads=1,
         progress=lambda fraction, stage: seen.append(fraction),
@@ -214,13 +218,14 @@ def test_a_model_of_own_points():
     assert np.isfinite(by_nan.completed).all()
 
 
-def test_evenly_spread_points(coarse, creatures):
-    assert coarse.points.shape == (3, 40, 3)
-    everywhere = landed(coarse.from_template(0), creatures[0])
+def test_evenly_spread_points(coarse, lumps):
+    shape = isomatch.Shape(lumps[0])
+    assert coarse.points.shape == (3, 30, 3)
+    everywhere = landed(coarse.from_template(0), shape)
     on_surface = everywhere[coarse.template_vertices]
-    assert off_surface(coarse.points[0], on_surface, creatures[0]) < 0.003
+    assert off_surface(coarse.points[0], on_surface, shape) < 0.003
     gaps = np.linalg.norm(coarse.points[2][:, None] - coarse.points[2], axis=2)
-    assert gaps[gaps > 0].min() > 0.1 * root_area(creatures[2])
+    assert gaps[gaps > 0].min() > 0.1 * root_area(lumps[2])
 
 
 def test_a_group_is_kept_whole(group):
@@ -237,7 +242,7 @@ def test_saves_what_the_program_writes(coarse, three_files, program, tmp_path):
     for _ in range(2):
         coarse.save(tmp_path / "ours", all_maps=True, report=bool(report))
     program("group", *three_files, "-o", tmp_path / "theirs", "--template", "lying",
-            "--keep-size", "--points", 40, "--no-refinement", "--no-elastic-judging", "--all-maps",
+            "--keep-size", "--points", 30, "--no-refinement", "--no-elastic-judging", "--all-maps",
             *report)
     command = json.loads((tmp_path / "ours" / "report.json").read_text())["command"]
     place = command.index("-o") + 1
