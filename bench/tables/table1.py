@@ -25,7 +25,9 @@ distance; in brackets what the paper's Table 1 reports. *spectral* is our own im
 and Zhang 2006, on the same base vertices as ξ(4,1), the many-to-one map of the paper's method at
 level 4. ξ(K) is its dense many-to-many map, *tracked* the many-to-many relation of the tracked
 method. The row *no flips* averages over the pairs that no column flips, as the paper does; a map
-flips if it reverses orientation. The last column names what is better than tracked.
+flips if it reverses orientation. The last column names what is better than tracked, which does not
+minimise distortion: it comes nearer to the truth, as D_grd and [all errors](modern.md) say, and the truth
+of real shapes is itself distorted.
 
 The Ballerina cannot be had, so its rows are missing, and Jumping Man is matched to itself instead.
 The paper took Dog and Wolf from another collection (Nonrigid World), one pair of 3,000 vertices; ours

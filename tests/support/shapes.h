@@ -22,8 +22,8 @@ Mesh rough_sphere(int subdivisions, double roughness, std::uint64_t seed);
 /// degenerate triangle a column.
 Mesh uv_sphere(int columns, int rows, double radius = 1);
 
-/// An ellipsoid with a bump, 162 vertices, of which the number decides the proportions: a shape that
-/// is matched with others in a moment.
+/// An ellipsoid with a bump, 162 vertices, of which the number decides the proportions: a shape
+/// that is matched with others in a moment.
 Mesh lump(int number);
 
 /// A flat rectangle [0, width] x [0, height] of `columns` times `rows` cells, two triangles each.
