@@ -15,7 +15,6 @@ import argparse
 import csv
 import pathlib
 import tempfile
-import time
 
 from common import (add_common_arguments, add_data_argument, commit, machine, mean, run, table_head,
                     table_line, write_page)
@@ -36,13 +35,11 @@ def link_shapes(data_set, count, folder):
 
 
 def chain(program, folder, memory, out):
-    """The peaks of memory after each pair, in MiB, and the seconds of all."""
-    start = time.perf_counter()
+    """The peaks of memory after each pair, in MiB."""
     run([program, "batch", "--chain", folder, "--memory", memory, "--threads", 1, "--packed",
          "--quiet", "-o", out])
-    seconds = time.perf_counter() - start
     with open(out / "pairs.csv", newline="") as table:
-        return [float(line["peak_memory_mib"]) for line in csv.DictReader(table)], seconds
+        return [float(line["peak_memory_mib"]) for line in csv.DictReader(table)]
 
 
 def growth(peaks):
@@ -53,8 +50,8 @@ def growth(peaks):
 
 
 def kept_line(program, name, folder, out):
-    unbounded, _ = chain(program, folder, 1000, out / "unbounded")
-    nothing, _ = chain(program, folder, 0, out / "nothing")
+    unbounded = chain(program, folder, 1000, out / "unbounded")
+    nothing = chain(program, folder, 0, out / "nothing")
     return table_line([name, f"{growth(unbounded):.1f}", f"{unbounded[-1]:.0f}", f"{nothing[-1]:.0f}"])
 
 
@@ -77,9 +74,8 @@ def bounded_lines(arguments, place):
     make_creatures(arguments.program, arguments.vertices, arguments.shapes, folder)
     lines = []
     for memory in arguments.memory:
-        peaks, seconds = chain(arguments.program, folder, memory, place / f"long-{memory:g}")
-        lines.append(table_line([f"{memory:g}", f"{peaks[len(peaks) // 2]:.0f}", f"{peaks[-1]:.0f}",
-                                 f"{seconds:.0f}"]))
+        peaks = chain(arguments.program, folder, memory, place / f"long-{memory:g}")
+        lines.append(table_line([f"{memory:g}", f"{peaks[len(peaks) // 2]:.0f}", f"{peaks[-1]:.0f}"]))
     return lines
 
 
@@ -109,9 +105,9 @@ what the second match took more than the first as well.
 """ + "\n".join(table_head(["", "a kept shape", "peak, all kept", "peak, `--memory 0`"]) + kept) + f"""
 
 A chain of {arguments.shapes} creatures of {arguments.vertices:,} vertices, by `--memory` in GiB: peaks in MiB after half of the pairs and in
-the end, and seconds of all.
+the end.
 
-""" + "\n".join(table_head(["`--memory`", "half way", "peak", "seconds"]) + bounded) + "\n")
+""" + "\n".join(table_head(["`--memory`", "half way", "peak"]) + bounded) + "\n")
 
 
 if __name__ == "__main__":
