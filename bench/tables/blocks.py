@@ -54,4 +54,4 @@ def different():
 if __name__ == "__main__":
     wrong = [f"{path.relative_to(ROOT)}: {name} differs from {PAGE.relative_to(ROOT)}"
              for path, name in different()]
-    sys.exit("\n".join(wrong))
+    sys.exit("\n".join(wrong) or 0)

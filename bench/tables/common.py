@@ -3,6 +3,7 @@
 """What the tables share: running the program, evaluating a map, statistics, where and on what."""
 
 import csv
+import functools
 import json
 import pathlib
 import subprocess
@@ -91,5 +92,7 @@ def machine():
     return f"{len(models)} cores, {models[0] if models else 'unknown processor'}"
 
 
+@functools.cache
 def commit():
+    """As it is when first asked for: pages that are written later make the folder dirty."""
     return run(["git", "-C", ROOT, "describe", "--always", "--dirty"]).strip()

@@ -83,6 +83,9 @@ class Results:
                 f"{mean(m.d_iso for m in self.maps):.4f}", decimal(self.seconds),
                 f"{self.mib:.0f}"]
 
+    def knows_mirrored_truth(self):
+        return any(m.symmetric is not m.truth for m in self.maps)
+
     def curve(self, flips_allowed):
         """Share of template points with an error up to each threshold, averaged over pairs."""
         return [mean(shares) for shares in zip(*(m.curve(flips_allowed) for m in self.maps))]
@@ -116,6 +119,8 @@ def plot(path, title, all_results):
     lines = {}
     for method, results in all_results.items():
         for flips_allowed, dash, note in ((False, "-", ""), (True, ":", " (flip allowed)")):
+            if flips_allowed and not results.knows_mirrored_truth():
+                continue
             curve = results.curve(flips_allowed)
             lines[method + note] = ([STEP * i for i in range(len(curve))], curve, dash)
     plots.line_plot(path, lines, "geodesic error over sqrt(area)", "share of points",

@@ -147,5 +147,6 @@ def run_table(description, make):
     arguments = parser.parse_args()
     command = " ".join([str(pathlib.Path(sys.argv[0]).resolve().relative_to(ROOT)),
                         *(["--quick"] if arguments.quick else [])])
+    commit()
     make(Bench(arguments.program, arguments.results), arguments.data, arguments.out,
          arguments.quick, command)
