@@ -27,7 +27,7 @@ TEXT = """# Results
 
 {provenance}
 It makes all pages of this folder that compare methods; what is behind the figures here, pair by pair, is in
-[modern.csv](modern.csv).
+`modern.csv`.
 
 Errors are geodesic distances x100 over sqrt(area), of maps rounded to vertices; what is measured, and
 each method, is described in [modern.md](modern.md). *Perfect* is what the exact truth itself scores by
