@@ -330,10 +330,10 @@ PaperResult match_paper(const Shape& source, const Shape& target, const PaperOpt
   const auto keeps_orientation = [&](const Hypothesis& hypothesis) {
     // As many landmarks vote as decided all of the right and flipped maps tried.
     constexpr OrientationOptions kFewLandmarks{.landmarks = 100};
-    return map_orientation(source, target,
-                           matches_of(hypothesis, descent.sampled().back(), from.surface(),
-                                      onto.surface()),
-                           kFewLandmarks, context)
+    return map_orientation(
+               source, target,
+               matches_of(hypothesis, descent.sampled().back(), from.surface(), onto.surface()),
+               kFewLandmarks, context)
                .verdict == OrientationVerdict::kPreserves;
   };
   const auto choose = [&] {
