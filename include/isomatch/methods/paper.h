@@ -74,9 +74,9 @@ struct PaperOptions {
   /// 1 is the paper's text.
   int coarse_candidates = 24;
   int candidate_levels = 4;
-  /// Of those candidates the least distorted one stays that does not turn the surface over, if there
-  /// is one: the text leaves open which of left and right is which, as distances do. Off by default,
-  /// since it is not the paper's.
+  /// Of those candidates the least distorted one stays that does not turn the surface over, if
+  /// there is one: the text leaves open which of left and right is which, as distances do. Off by
+  /// default, since it is not the paper's.
   bool keep_orientation = false;
   /// The last level K; levels also end when every vertex of both shapes is a base vertex.
   int max_levels = 100;
