@@ -51,7 +51,8 @@ struct Method {
   std::function<MethodResult(const Shape& source, const Shape& target, const Context&)> run;
 };
 
-/// All methods: `paper`, `paper-oriented`, `tracked`, `spectral`, `gmds`, `zoomout`, each with its default options.
+/// All methods: `paper`, `paper-oriented`, `tracked`, `spectral`, `gmds`, `zoomout`, each with its
+/// default options.
 const std::vector<Method>& methods();
 
 /// The method of that name. Throws `InvalidInput` that lists all names if there is none.
