@@ -15,7 +15,8 @@ namespace {
 TEST(Methods, AreFoundByName) {
   std::vector<std::string> names;
   for (const Method& method : methods()) names.push_back(find_method(method.name).name);
-  EXPECT_THAT(names, testing::ElementsAre("paper", "tracked", "spectral", "gmds", "zoomout"));
+  EXPECT_THAT(names, testing::ElementsAre("paper", "paper-oriented", "tracked", "spectral", "gmds",
+                                          "zoomout"));
 }
 
 TEST(Methods, UnknownNameIsAnsweredWithAllNames) {
@@ -23,8 +24,9 @@ TEST(Methods, UnknownNameIsAnsweredWithAllNames) {
     find_method("magic");
     FAIL();
   } catch (const InvalidInput& error) {
-    EXPECT_STREQ(error.what(),
-                 "there is no method 'magic': paper, tracked, spectral, gmds, zoomout");
+    EXPECT_STREQ(
+        error.what(),
+        "there is no method 'magic': paper, paper-oriented, tracked, spectral, gmds, zoomout");
   }
 }
 
