@@ -13,8 +13,6 @@ from common import ROOT
 
 PAGE = ROOT / "docs/results/index.md"
 DOCUMENTS = (ROOT / "README.md", ROOT / "docs/paper.md")
-
-
 END = "<!-- end -->"
 
 

@@ -24,12 +24,8 @@ class ListedPair:
         names = (self.listed.source, self.listed.target)
         if self.listed.set not in ALIGNED:
             return [partial_sets.mesh_file(self.listed.data, name) for name in names]
-        return [self.turned(name) for name in names]
-
-    def turned(self, name):
-        place = self.folder / "turned" / name
-        place.parent.mkdir(parents=True, exist_ok=True)
-        return partial_sets.turned_file(self.listed, name, self.folder / "turned")
+        return [partial_sets.turned_file(self.listed, name, self.folder / "turned")
+                for name in names]
 
     @property
     def truth(self):

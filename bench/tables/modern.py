@@ -24,16 +24,17 @@ shape that a piece was cut from: the mean of each pair, then mean and median ove
 to vertices, where both the map and the truth have an answer. *IoU* is the area that both have over the
 area that either has, where parts are missing. *Points* is the error of maps to points on triangles,
 where a method makes such. *Flip allowed* counts, for each pair, the error against the truth or against its
-left-right mirror image, whichever is less. *Flipped* maps are nearer
-to the mirror image; *wrong* ones are not flipped and have an error above {gross}; *no flips* averages
-over the pairs that the method does not flip. D_iso is over the largest geodesic distance. Seconds are
+left-right mirror image, whichever is less. *Flipped* maps are nearer to the mirror image; *wrong* ones are
+not flipped and have an error above {gross}; *no flips* averages over the pairs that the method does not
+flip. D_iso is over the largest geodesic distance. Seconds are
 medians from meshes in memory to the map, geodesic graph included, on all cores; MiB the median peak
 memory of the process, which holds one pair and one method.
 
 Shapes of smal5k and partial_smal, which stand aligned, are turned at random first.
 
 *paper-oriented* is the paper's method with `--orientation`. *spectral* (Jain and Zhang 2006), *gmds*
-(Bronstein et al. 2006) and *zoomout* (Ren et al. 2018, Melzi et al. 2019) are our own implementations. *gmds* maps 300 points and is measured on those; *spectral*
+(Bronstein et al. 2006) and *zoomout* (Ren et al. 2018, Melzi et al. 2019) are our own
+implementations. *gmds* maps 300 points and is measured on those; *spectral*
 maps base vertices of level 4 and is extended to all vertices. The last column says what tracked is
 ahead of each rival in, and where it is not.
 

@@ -113,9 +113,10 @@ TEST_F(Group, ReportsShapesAndWhatIsLeftOut) {
 }
 
 TEST_F(Group, ThreadsAndMemoryChangeNoByte) {
-  const std::vector<std::string> shapes{small("a"), small("b"), small("c")};
-  ASSERT_EQ(group("one", shapes, {"--threads", "1", "--memory", "0"}).exit_code, 0);
-  ASSERT_EQ(group("two", shapes, {"--threads", "2"}).exit_code, 0);
+  const std::vector<std::string> shapes{shape("a"), shape("b"), shape("part")};
+  ASSERT_EQ(
+      group("one", shapes, {"--neighbours", "0", "--threads", "1", "--memory", "0"}).exit_code, 0);
+  ASSERT_EQ(group("two", shapes, {"--neighbours", "0", "--threads", "2"}).exit_code, 0);
   int compared = 0;
   for (const auto& entry : fs::recursive_directory_iterator(path("one"))) {
     if (!entry.is_regular_file() || entry.path().filename() == "report.json") continue;
